@@ -1,0 +1,69 @@
+# The two commands are `make verify` and `make test`; `make help` lists the others.
+# Everything is built by CMake (CMakePresets.json) below build/.
+
+packages      := g++ cmake ninja-build pkg-config libginac-dev libcln-dev libboost-dev \
+                 libcli11-dev libfmt-dev nlohmann-json3-dev
+test_packages := catch2 clang-14 libclang-rt-14-dev
+program       := build/release/bin/patchproof
+build         := cmake --build -j $(shell nproc) --preset
+run_tests     := ctest -j $(shell nproc) --preset
+
+.PHONY: help verify program test test-release test-sanitize test-clang test-fuzz \
+        packages test-packages with-tests format clean
+.DEFAULT_GOAL := help
+# One step after the other under any -j; the steps themselves use all processors.
+.NOTPARALLEL:
+
+help:
+	@echo 'make verify   build the program and decide every case in cases/'
+	@echo 'make test     run every test: plain, with sanitizers, with clang, and a short fuzz run'
+	@echo 'make program  only build $(program)'
+	@echo 'make format   format the sources'
+	@echo 'make clean    delete build/'
+
+verify: program
+	@$(program) check cases
+
+program: packages build/release/build.ninja
+	@$(build) release --target patchproof_program
+
+# In this order: what fails soonest first, and CTest's closing lines last.
+test: test-packages test-release test-clang test-fuzz test-sanitize
+
+test-release: test-packages with-tests
+	@$(build) release
+	@$(run_tests) release
+
+test-sanitize: test-packages build/sanitize/build.ninja
+	@$(build) sanitize
+	@$(run_tests) sanitize
+
+test-clang: test-packages build/clang/build.ninja
+	@$(build) clang --target patchproof_program
+
+test-fuzz: test-packages build/fuzz/build.ninja
+	@$(build) fuzz
+	@$(run_tests) fuzz
+
+packages:
+	@cmake/install_packages $(packages)
+
+test-packages:
+	@cmake/install_packages $(packages) $(test_packages)
+
+# CMake itself notices changes of the CMake files; only the presets are ours to watch.
+# `make verify` needs no Catch2, so it starts without the tests; `make test` adds them later.
+build/%/build.ninja: CMakePresets.json | packages
+	@cmake --fresh --preset $* $(if $(filter release,$*),-DBUILD_TESTING=OFF)
+	@touch $@
+
+with-tests: build/release/build.ninja
+	@grep -q '^BUILD_TESTING:BOOL=ON' build/release/CMakeCache.txt || \
+	  cmake --preset release -DBUILD_TESTING=ON
+
+format:
+	@cmake/install_packages clang-format
+	@find lib verify tests -name '*.[ch]pp' | xargs clang-format -i
+
+clean:
+	@rm -rf build

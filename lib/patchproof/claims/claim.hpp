@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <patchproof/algebra/budget.hpp>
+#include <patchproof/decide/decision.hpp>
+#include <patchproof/term/goal.hpp>
+
+namespace patchproof {
+
+/// What the author of the case expects: the verb of the claim.
+enum class Expectation {
+  prove,         ///< prove, derive, and the corrected part of an erratum
+  refute,        ///< refute, and the printed part of an erratum
+  open,          ///< open: not decided so far
+  inconsistent,  ///< derive ... inconsistent
+};
+
+std::string to_text(Expectation expectation);
+
+/// Statements that hold or do not; a joint is one, written out as equations.
+struct IdentityClaim {
+  Goal goal;
+};
+
+/// Unknowns, the equations that determine them, and what they are said to be.
+struct DeriveClaim {
+  SolveGoal goal;
+  std::vector<Statement> gives;
+  std::vector<SymbolPointer> leaves;
+};
+
+/// One thing to be decided. Instances of a family share label and span and differ in `instance`.
+struct Claim {
+  std::string label;
+  /// "[i=0,j=2]" for an instance of a family, else "".
+  std::string instance;
+  /// "prove", "refute", "open", "derive", "printed", "corrected"
+  std::string verb;
+  Expectation expectation = Expectation::prove;
+  Span span;
+  /// The proposition alone, for messages.
+  Span statement;
+  /// Labels of derivations of the same case and family instance whose results may be used.
+  std::vector<std::string> uses;
+  /// Erratum: the note of its author.
+  std::string note;
+  std::variant<IdentityClaim, DeriveClaim> kind;
+};
+
+/// A term whose normal form is printed, without any verdict.
+struct Shown {
+  Span span;
+  std::string instance;
+  Term term;
+};
+
+/// Where a case comes from.
+struct Source {
+  std::string work;
+  std::string language;
+  std::string section;
+  std::string page;
+};
+
+/// A case as read: everything typed, nothing decided.
+struct Case {
+  std::string name;
+  std::string title;
+  std::vector<Source> sources;
+  std::string quote;
+  std::vector<std::string> tags;
+  Limits limits;
+  Span span;
+  std::vector<Claim> claims;
+  std::vector<Shown> shown;
+};
+
+}  // namespace patchproof

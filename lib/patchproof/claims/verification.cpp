@@ -1,0 +1,118 @@
+#include <patchproof/claims/verification.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include <patchproof/decide/decide.hpp>
+#include <patchproof/decide/shown.hpp>
+#include <patchproof/term/plain_text.hpp>
+
+namespace patchproof {
+
+std::string to_text(Expectation expectation) {
+  switch (expectation) {
+    case Expectation::prove: return "prove";
+    case Expectation::refute: return "refute";
+    case Expectation::open: return "open";
+    default: return "inconsistent";
+  }
+}
+
+Outcome outcome_of(Expectation expectation, Verdict verdict) {
+  if (verdict == Verdict::internal) return Outcome::internal;
+  if (verdict == Verdict::error) return Outcome::error;
+  if (verdict == Verdict::vacuous) return Outcome::vacuous;
+  const auto expected_if = [](bool good) { return good ? Outcome::as_expected : Outcome::wrong; };
+  if (expectation == Expectation::open) return expected_if(verdict == Verdict::unknown);
+  if (verdict == Verdict::unknown) return Outcome::unknown;
+  switch (expectation) {
+    case Expectation::prove:
+      return expected_if(verdict == Verdict::proved || verdict == Verdict::proved_if);
+    case Expectation::refute: return expected_if(verdict == Verdict::refuted);
+    default: return expected_if(verdict == Verdict::inconsistent);
+  }
+}
+
+namespace {
+
+struct Handed {
+  std::vector<KnownValue> values;
+  std::vector<std::string> conditions;
+  bool solved = false;
+};
+using Derivations = std::map<std::string, Handed>;
+
+Decision decide_identity(const IdentityClaim& claim, const std::vector<KnownValue>& known,
+                         const Case& given, Engines engines) {
+  Goal goal = claim.goal;
+  goal.known = known;
+  return decided(goal, given.limits, engines);
+}
+
+Decision decide_derive(const DeriveClaim& claim, const std::vector<KnownValue>& known,
+                       const Case& given, Engines engines) {
+  SolveGoal goal = claim.goal;
+  goal.goal.known = known;
+  return solved(goal, claim.gives, claim.leaves, given.limits, engines);
+}
+
+Decision decide(const Claim& claim, const Derivations& derivations, const Case& given,
+                Engines engines) {
+  std::vector<KnownValue> known;
+  std::vector<std::string> conditions;
+  for (const std::string& label : claim.uses) {
+    const auto found = derivations.find(label + claim.instance);
+    const auto whole = derivations.find(label);
+    const auto& derivation = found != derivations.end() ? found : whole;
+    if (derivation == derivations.end() || !derivation->second.solved) {
+      Decision undecided;
+      undecided.reason = "it uses '" + label + "', which is not derived";
+      return undecided;
+    }
+    const Handed& handed = derivation->second;
+    known.insert(known.end(), handed.values.begin(), handed.values.end());
+    conditions.insert(conditions.end(), handed.conditions.begin(), handed.conditions.end());
+  }
+  Decision result =
+      std::holds_alternative<IdentityClaim>(claim.kind)
+          ? decide_identity(std::get<IdentityClaim>(claim.kind), known, given, engines)
+          : decide_derive(std::get<DeriveClaim>(claim.kind), known, given, engines);
+  // What the derivation needs, everything built on it needs as well.
+  if (result.verdict == Verdict::proved && !conditions.empty()) result.verdict = Verdict::proved_if;
+  for (const std::string& condition : conditions)
+    if (std::find(result.conditions.begin(), result.conditions.end(), condition) ==
+        result.conditions.end())
+      result.conditions.push_back(condition);
+  return result;
+}
+
+}  // namespace
+
+CaseResult verified(const Case& given, const VerificationOptions& options) {
+  CaseResult result;
+  result.verified = given;
+  Derivations derivations;
+  for (const Claim& claim : given.claims) {
+    const bool wanted = !options.wanted || options.wanted(claim);
+    if (!wanted && claim.verb != "derive") continue;
+    if (wanted && options.progress) options.progress(claim);
+    const auto start = std::chrono::steady_clock::now();
+    ClaimResult decided_claim{claim, decide(claim, derivations, given, options.engines), {}, {}};
+    decided_claim.time = std::chrono::duration_cast<std::chrono::microseconds>(
+        std::chrono::steady_clock::now() - start);
+    const Decision& decision = decided_claim.decision;
+    decided_claim.outcome = outcome_of(claim.expectation, decision.verdict);
+    if (claim.verb == "derive") {
+      const bool solved =
+          decision.verdict == Verdict::proved || decision.verdict == Verdict::proved_if;
+      derivations[claim.label + claim.instance] = {decision.solution, decision.conditions, solved};
+    }
+    if (wanted) result.claims.push_back(std::move(decided_claim));
+  }
+  for (const Shown& shown : given.shown)
+    result.shown.push_back({shown.span, shown.instance, to_text(shown.term),
+                            normal_form_in_words(shown.term, given.limits)});
+  return result;
+}
+
+}  // namespace patchproof

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <patchproof/claims/claim.hpp>
+
+namespace patchproof {
+
+/// How the verdict of a claim stands to what its author expects.
+enum class Outcome {
+  as_expected,
+  wrong,     ///< the claim is decided, but otherwise than expected
+  unknown,   ///< not decided, though a decision is expected
+  vacuous,   ///< the assumptions contradict each other
+  error,     ///< the claim has no meaning: division by zero and the like
+  internal,  ///< a fault of this program
+};
+
+/// A claim with its verdict.
+struct ClaimResult {
+  Claim claim;
+  Decision decision;
+  Outcome outcome = Outcome::unknown;
+  std::chrono::microseconds time{0};
+};
+
+/// What `show` asked for: the term as written and its normal form, or why it has none.
+struct ShownResult {
+  Span span;
+  std::string instance;
+  std::string term;
+  std::string value;
+};
+
+/// A case with all its claims decided, in the order written.
+struct CaseResult {
+  Case verified;
+  std::vector<ClaimResult> claims;
+  std::vector<ShownResult> shown;
+};
+
+struct VerificationOptions {
+  Engines engines = Engines::both;
+  /// Claims for which this is false are not decided; derivations they use are decided all the same,
+  /// but not reported. Empty: all.
+  std::function<bool(const Claim&)> wanted;
+  /// Called before each claim that is decided.
+  std::function<void(const Claim&)> progress;
+};
+
+/// Decides the claims of a case one after the other; `using` hands on what was derived.
+CaseResult verified(const Case& given, const VerificationOptions& options);
+
+Outcome outcome_of(Expectation expectation, Verdict verdict);
+
+}  // namespace patchproof

@@ -1,0 +1,208 @@
+#include <algorithm>
+
+#include <patchproof/decide/decide.hpp>
+#include <patchproof/decide/guard.hpp>
+#include <patchproof/decide/witness_words.hpp>
+#include <patchproof/kernel/identity.hpp>
+#include <patchproof/kernel/readable.hpp>
+#include <patchproof/kernel/witness.hpp>
+#include <patchproof/symbolic/second_opinion.hpp>
+
+namespace patchproof {
+
+namespace {
+
+constexpr int most_attempts = 8;
+
+class Identity {
+ public:
+  Identity(const Goal& goal, Workspace& workspace)
+      : goal_{goal},
+        workspace_{workspace},
+        evaluator_{workspace, goal.known},
+        everything_(goal.assumptions.size(), true),
+        hypotheses_{goal, everything_, evaluator_, workspace} {}
+
+  Decision run() {
+    Decision result;
+    if (hypotheses_.contradictory()) {
+      result.verdict = Verdict::vacuous;
+      result.reason = "the assumptions contradict each other";
+      return result;
+    }
+    const Finding found = finding(goal_, evaluator_, hypotheses_, workspace_);
+    if (found.outcome == Finding::Outcome::holds) return proof(found);
+    return refutation(found);
+  }
+
+ private:
+  Decision proof(const Finding& found) {
+    Decision result;
+    if (const std::string doubt = inconsistency(found.conditions); !doubt.empty()) {
+      result.reason = "the assumptions were not shown to be consistent: " + doubt;
+      return result;
+    }
+    result.verdict = found.conditions.empty() ? Verdict::proved : Verdict::proved_if;
+    result.evidence = Evidence::kernel;
+    result.conditions = in_words(found.conditions, workspace_);
+    result.assumptions_used = used(found);
+    return result;
+  }
+
+  // Why no values are known that satisfy all assumptions; "" when there are some.
+  std::string inconsistency(const Conditions& conditions) {
+    if (goal_.assumptions.empty()) return "";
+    std::string why = "no example was found";
+    WitnessTarget target;
+    add(conditions, target);
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      const std::optional<Witness> model =
+          find_witness(goal_, target, hypotheses_, workspace_, attempt);
+      if (!model) continue;
+      const WitnessCheck check = checked(goal_, *model, workspace_.budget);
+      if (check.consistent) return "";
+      why = check.why_not;
+    }
+    return why;
+  }
+
+  static void add(const Conditions& conditions, WitnessTarget& target) {
+    for (const Condition& c : conditions) {
+      if (c.kind == Condition::Kind::not_zero)
+        target.not_zero.push_back(c.polynomial);
+      else
+        target.inequalities.push_back({c.polynomial, false});
+    }
+  }
+
+  // The assumptions that cannot be taken away one by one without losing the proof.
+  std::vector<std::string> used(const Finding& all) {
+    std::vector<bool> enabled = everything_;
+    for (std::size_t k = enabled.size(); k-- > 0;) {
+      enabled[k] = false;
+      if (!still_holds(enabled, all.conditions)) enabled[k] = true;
+    }
+    std::vector<std::string> labels;
+    for (std::size_t k = 0; k < enabled.size(); ++k) {
+      if (!enabled[k]) continue;
+      const std::string& label = goal_.assumptions[k].label;
+      const std::string name = label.empty() ? "assumption " + std::to_string(k + 1) : label;
+      if (std::find(labels.begin(), labels.end(), name) == labels.end()) labels.push_back(name);
+    }
+    return labels;
+  }
+
+  bool still_holds(const std::vector<bool>& enabled, const Conditions& conditions) {
+    try {
+      Hypotheses fewer{goal_, enabled, evaluator_, workspace_};
+      const Finding found = finding(goal_, evaluator_, fewer, workspace_);
+      return found.outcome == Finding::Outcome::holds &&
+             found.conditions.size() <= conditions.size();
+    } catch (const NoValue&) {
+      return false;
+    } catch (const OutsideTheory&) {
+      return false;
+    }
+  }
+
+  Decision refutation(const Finding& found) {
+    Decision result;
+    WitnessTarget target;
+    add(found.conditions, target);
+    if (found.outcome == Finding::Outcome::fails)
+      target.not_zero.push_back(found.residual.numerator());
+    else
+      violate(goal_.statements[found.statement].relation, found.residual.numerator(), target);
+    std::string why;
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      const std::optional<Witness> witness =
+          find_witness(goal_, target, hypotheses_, workspace_, attempt);
+      if (!witness) continue;
+      const WitnessCheck check = checked(goal_, *witness, workspace_.budget);
+      if (check.consistent && check.refutes) return refuted(found, *witness, check);
+      if (!check.why_not.empty()) why = check.why_not;
+    }
+    result.reason = undecided(found, why);
+    return result;
+  }
+
+  // What has to be true for an inequality to fail.
+  static void violate(Relation relation, const Polynomial& d, WitnessTarget& target) {
+    switch (relation) {
+      case Relation::less: target.inequalities.push_back({d, false}); break;
+      case Relation::less_equal: target.inequalities.push_back({d, true}); break;
+      case Relation::greater: target.inequalities.push_back({scaled(d, -1), false}); break;
+      case Relation::greater_equal: target.inequalities.push_back({scaled(d, -1), true}); break;
+      default:
+        target.inequalities.push_back({d, false});
+        target.inequalities.push_back({scaled(d, -1), false});
+        break;
+    }
+  }
+
+  Decision refuted(const Finding& found, const Witness& witness, const WitnessCheck& check) {
+    Decision result;
+    result.verdict = Verdict::refuted;
+    result.evidence = Evidence::kernel;
+    result.statement = check.statement;
+    const Type& type = goal_.statements[check.statement].left.type();
+    result.witness = {in_words(witness), check.left, check.right,
+                      component_name(type, check.component)};
+    result.residual = to_text(found.residual, workspace_.atoms, workspace_.budget);
+    return result;
+  }
+
+  std::string undecided(const Finding& found, const std::string& why) {
+    if (!hypotheses_.left_out().empty()) return hypotheses_.left_out().front();
+    if (found.outcome == Finding::Outcome::open)
+      return "this inequality is neither shown by the methods of this version nor false at any of "
+             "the points tried";
+    const std::string normal =
+        to_text(found.residual, workspace_.atoms, workspace_.budget, 200);
+    return "the difference " + normal + " was neither shown to be zero nor to differ from it" +
+           (why.empty() ? "" : " (" + why + ")");
+  }
+
+  const Goal& goal_;
+  Workspace& workspace_;
+  Evaluator evaluator_;
+  std::vector<bool> everything_;
+  Hypotheses hypotheses_;
+};
+
+bool only_equations(const Goal& goal) {
+  return std::all_of(goal.statements.begin(), goal.statements.end(),
+                     [](const Statement& s) { return s.relation == Relation::equal; });
+}
+
+// The second engine cannot change a verdict, only confirm it or show that this program is wrong.
+Decision with_second_opinion(Decision decision, const Goal& goal, const Limits& limits) {
+  const bool proved =
+      decision.verdict == Verdict::proved || decision.verdict == Verdict::proved_if;
+  if (!proved && decision.verdict != Verdict::refuted) return decision;
+  if (!only_equations(goal)) return decision;
+  const SecondOpinion opinion = second_opinion(goal, limits);
+  using Answer = SecondOpinion::Answer;
+  if (opinion.answer == Answer::none) return decision;
+  const Answer expected = proved ? Answer::holds : Answer::fails;
+  if (opinion.answer == expected) {
+    decision.evidence = Evidence::both_engines;
+    return decision;
+  }
+  decision.reason = "the engines disagree: kernel " +
+                    (proved ? std::string{"0"} : decision.residual) + ", second engine " +
+                    (proved ? opinion.normal_form : std::string{"0"});
+  decision.verdict = Verdict::internal;
+  decision.evidence = Evidence::none;
+  return decision;
+}
+
+}  // namespace
+
+Decision decided(const Goal& goal, const Limits& limits, Engines engines) {
+  Decision result =
+      guarded(limits, [&](Workspace& workspace) { return Identity{goal, workspace}.run(); });
+  return engines == Engines::both ? with_second_opinion(std::move(result), goal, limits) : result;
+}
+
+}  // namespace patchproof

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <patchproof/kernel/evaluator.hpp>
+#include <patchproof/kernel/sign_facts.hpp>
+#include <patchproof/kernel/transformation.hpp>
+
+namespace patchproof {
+
+/// The assumptions of a goal, solved: linear equations are turned into replacements, equations
+/// between functions (f1(u) + f2(u) == 1 for all u) into a definition of one function by others,
+/// inequalities into facts about signs.
+///
+/// Replacing is an equivalence: the claim holds under the equations exactly when the replaced claim
+/// holds without them. Equations that cannot be solved this way are left out and named.
+class Hypotheses {
+ public:
+  /// `enabled[k]` says whether assumption k of the goal may be used.
+  Hypotheses(const Goal& goal, const std::vector<bool>& enabled, Evaluator& evaluator,
+             Workspace& workspace);
+
+  /// The fraction after all replacements.
+  Fraction reduced(const Fraction& fraction);
+
+  const SignFacts& facts() const { return facts_; }
+
+  /// What the assumptions themselves need to have a value.
+  const Conditions& conditions() const { return conditions_; }
+
+  /// True when the assumptions were found to contradict each other.
+  bool contradictory() const { return contradictory_; }
+
+  /// Why some equation could not be used: "assumption 'x' is not linear"; empty when all could.
+  const std::vector<std::string>& left_out() const { return left_out_; }
+
+  /// A function that the assumptions express by others: its value at the bare parameters.
+  struct Definition {
+    std::vector<Variable> parameters;
+    Fraction value;
+  };
+  /// How the assumptions define this component of the function; empty when they do not.
+  std::optional<Definition> definition(const Symbol& function, int component) const;
+
+ private:
+  struct Range {
+    Fraction low;
+    Fraction high;
+  };
+
+  void add_ranges(const Goal& goal, Evaluator& evaluator);
+  void add_equation(const Polynomial& equation, const std::string& name);
+  bool define_function(const Polynomial& equation);
+  bool split_by_parameters(const Polynomial& equation, const std::string& name);
+  bool replace_variable(const Polynomial& equation);
+  void add_facts(const Goal& goal, const std::vector<bool>& enabled, Evaluator& evaluator);
+
+  std::set<Variable> parameters_in(const Polynomial& polynomial) const;
+  std::map<Variable, Fraction> all_images();
+  Fraction function_value(const Definition& definition, const Atom& jet);
+  void require_in_range(Variable parameter, const Fraction& argument);
+
+  Workspace& workspace_;
+  std::map<Variable, Range> ranges_;
+  std::map<Variable, Fraction> images_;
+  std::map<std::pair<unsigned, int>, Definition> functions_;
+  std::map<Variable, Fraction> function_images_;
+  SignFacts facts_;
+  Conditions conditions_;
+  bool contradictory_ = false;
+  std::vector<std::string> left_out_;
+};
+
+/// All variables of the polynomial and of the arguments of its atoms, at any depth.
+std::set<Variable> variables_within(const Polynomial& polynomial, const Atoms& atoms);
+
+}  // namespace patchproof

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <patchproof/language/elaborator.hpp>
+
+namespace patchproof {
+
+/// A net (two binders) or list (one) of the values of an expression; indices start at 0.
+Term net_of(const syntax::Expression& value, const std::vector<syntax::Binder>& binders,
+            const Span& span, const Scope& scope, Elaborator& elaborator);
+
+/// segment(T, i) or segment(T, i, j): the piece of a spline over one knot span (the i-th one that
+/// is not empty, from 0), as a function of local parameters in [0,1].
+/// Source: Piegl & Tiller, The NURBS Book, 2.2 and 3.4.
+Term segment(const syntax::Expression& call, const Scope& scope, Elaborator& elaborator);
+
+/// bezier_net(T): the Bézier points of all pieces, neighbours sharing a row: degree * pieces + 1
+/// points in each direction. Needs at least C^0, that is multiplicities up to the degree inside.
+/// Source: Farin, Curves and Surfaces for CAGD, ch. 8 (blossoms of B-splines).
+Term bezier_net(const syntax::Expression& call, const Scope& scope, Elaborator& elaborator);
+
+/// control_points(T)
+Term control_points(const syntax::Expression& call, const Scope& scope, Elaborator& elaborator);
+
+/// A spline from its declaration; Fault for knots that do not fit.
+Spline declared_spline(const syntax::SplineData& data, const Scope& scope, Elaborator& elaborator);
+
+}  // namespace patchproof

@@ -1,0 +1,107 @@
+#include <patchproof/language/case_elaborator.hpp>
+
+#include <algorithm>
+
+namespace patchproof {
+
+namespace {
+
+using WrittenStatement = syntax::Statement;
+
+void set_limit(const WrittenStatement& statement, Limits& limits, std::vector<Diagnostic>& diagnostics) {
+  const std::string kind = statement.limit_kind ? statement.limit_kind->text : "";
+  const std::string unit = statement.limit_unit ? statement.limit_unit->text : "";
+  const Rational value = statement.limit_value.value_or(0);
+  const auto whole = [&](const Rational& scaled, const Rational& largest) {
+    const Rational bounded = std::min(scaled, largest);
+    return static_cast<std::uint64_t>(Integer{numerator(bounded) / denominator(bounded)});
+  };
+  const auto wrong_unit = [&](const std::string& expected) {
+    diagnostics.push_back({statement.limit_unit->span, "unknown unit '" + unit + "'", expected});
+  };
+  const Rational most{1'000'000'000'000LL};
+  if (kind == "time") {
+    if (!unit.empty() && unit != "s" && unit != "ms") return wrong_unit("time is given in s or ms");
+    const Rational milliseconds = unit == "ms" ? value : Rational{value * 1000};
+    limits.time = std::chrono::milliseconds{whole(milliseconds, Rational{86'400'000})};
+  } else if (kind == "memory") {
+    if (!unit.empty() && unit != "MB" && unit != "GB")
+      return wrong_unit("memory is given in MB or GB");
+    limits.memory = whole(value * (unit == "GB" ? 1'073'741'824 : 1'048'576), most);
+  } else if (kind == "terms") {
+    limits.terms = whole(value, most);
+  } else {
+    limits.steps = whole(value, most);
+  }
+}
+
+void set_meta(const WrittenStatement& statement, Case& result, std::vector<Diagnostic>& diagnostics) {
+  switch (statement.kind) {
+    case WrittenStatement::Kind::title: result.title = statement.text; break;
+    case WrittenStatement::Kind::quote: result.quote = statement.text; break;
+    case WrittenStatement::Kind::source:
+      result.sources.push_back({statement.text,
+                                statement.language ? statement.language->text : "",
+                                statement.section.value_or(""), statement.page.value_or("")});
+      break;
+    case WrittenStatement::Kind::tags:
+      for (const syntax::Name& tag : statement.tags) result.tags.push_back(tag.text);
+      break;
+    default: set_limit(statement, result.limits, diagnostics); break;
+  }
+}
+
+bool is_meta(WrittenStatement::Kind kind) {
+  return kind == WrittenStatement::Kind::title || kind == WrittenStatement::Kind::source ||
+         kind == WrittenStatement::Kind::quote || kind == WrittenStatement::Kind::tags ||
+         kind == WrittenStatement::Kind::limit;
+}
+
+// The running indices of the family; a case without one has none.
+std::vector<syntax::Binder> family_of(const syntax::Case& written) {
+  std::vector<syntax::Binder> result;
+  for (const WrittenStatement& statement : written.statements)
+    if (statement.kind == WrittenStatement::Kind::family)
+      result.insert(result.end(), statement.binders.begin(), statement.binders.end());
+  return result;
+}
+
+}  // namespace
+
+Case elaborated(const syntax::Case& written, const Library& library, const Limits& limits,
+                std::vector<Diagnostic>& diagnostics) {
+  Case result;
+  result.name = written.name.text;
+  result.limits = limits;
+  result.span = written.name.span;
+  for (const WrittenStatement& statement : written.statements)
+    if (is_meta(statement.kind)) set_meta(statement, result, diagnostics);
+  const std::vector<syntax::Binder> family = family_of(written);
+  std::vector<std::vector<int>> instances;
+  try {
+    Workshop workshop;
+    Elaborator elaborator{library, workshop};
+    instances = elaborator.combinations(family, Scope{});
+  } catch (const Fault& fault) {
+    diagnostics.push_back(fault.diagnostic);
+    return result;
+  }
+  for (const std::vector<int>& values : instances) {
+    std::string instance;
+    for (std::size_t k = 0; k < family.size(); ++k)
+      instance += (instance.empty() ? "" : ",") + family[k].name.text + "=" +
+                  std::to_string(values[k]);
+    const std::size_t before = diagnostics.size();
+    CaseElaborator elaborator{library, instance, diagnostics};
+    for (std::size_t k = 0; k < family.size(); ++k)
+      elaborator.declare_number(family[k].name.text, values[k], family[k].name.span);
+    for (const WrittenStatement& statement : written.statements)
+      if (!is_meta(statement.kind) && statement.kind != WrittenStatement::Kind::family)
+        elaborator.statement(statement, result);
+    // One faulty instance is enough: the others would repeat its messages.
+    if (diagnostics.size() > before) break;
+  }
+  return result;
+}
+
+}  // namespace patchproof

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <patchproof/claims/claim.hpp>
+#include <patchproof/language/elaborator.hpp>
+
+namespace patchproof {
+
+/// Reads a case: its declarations in order, then its claims as goals. What is wrong is appended to
+/// `diagnostics`; the case is complete only when there is nothing new there.
+Case elaborated(const syntax::Case& written, const Library& library, const Limits& limits,
+                std::vector<Diagnostic>& diagnostics);
+
+/// The work on one instance of a case; see `elaborated`.
+class CaseElaborator {
+ public:
+  CaseElaborator(const Library& library, std::string instance,
+                 std::vector<Diagnostic>& diagnostics);
+
+  /// A running index of the family, before any statement.
+  void declare_number(const std::string& name, int value, const Span& span);
+  void statement(const syntax::Statement& statement, Case& result);
+
+ private:
+  // declarations (case_declarations.cpp)
+  void declare(const syntax::Statement& statement);
+  void declare_parameters(const syntax::Statement& statement);
+  void declare_symbols(const syntax::Statement& statement);
+  void declare_functions(const syntax::Statement& statement);
+  void declare_matrix(const syntax::Declarator& declarator);
+  void declare_let(const syntax::Declarator& declarator);
+  void assume(const syntax::Statement& statement);
+  Term unknown_function(const syntax::Statement& statement, const syntax::Declarator& declarator,
+                        const Type& value);
+  Term degree_function(const syntax::Statement& statement, const syntax::Declarator& declarator,
+                       const Type& value);
+  Term defined_function(const syntax::Declarator& declarator);
+  Term array(const syntax::Declarator& declarator, Symbol::Role role, const Type& type);
+  void declare_name(const syntax::Name& name, const Term& term);
+  void require_new(const syntax::Name& name);
+  void mark_faulty(const syntax::Statement& statement);
+  Formals formals_of(const std::vector<syntax::Name>& names, Scope& inner);
+
+  // claims (case_claims.cpp)
+  void claim(const syntax::Statement& statement, Case& result);
+  void identity(const syntax::Statement& statement, const syntax::Proposition& proposition,
+                const std::string& label, const std::string& verb, const Scope& scope,
+                const std::string& instance, Case& result);
+  void derive(const syntax::Statement& statement, const Scope& scope, const std::string& instance,
+              Case& result);
+  Goal goal_of(const syntax::Proposition& proposition, const Scope& scope);
+  void add_comparison(const syntax::Comparison& comparison, const Scope& scope, Goal& goal);
+  void add_relation(Term left, Relation relation, Term right, const Span& span, const Scope& scope,
+                    Goal& goal);
+  void add_boundary_relation(const Term& left, const Term& right, const Span& span,
+                             const Scope& scope, Goal& goal);
+  void add_joint(const syntax::Joint& joint, const Scope& scope, Goal& goal);
+  std::vector<SymbolPointer> unknowns_of(const Term& term, const Span& span) const;
+  void check_uses(const syntax::Statement& statement, Claim& claim);
+
+  Workshop workshop_;
+  Elaborator elaborator_;
+  Scope scope_;
+  std::string instance_;
+  std::vector<Diagnostic>& diagnostics_;
+  std::vector<ParameterRange> ranges_;
+  std::vector<Assumption> assumptions_;
+  std::set<unsigned> holes_;
+  std::set<std::string> derivations_;
+};
+
+}  // namespace patchproof

@@ -1,0 +1,24 @@
+#include <patchproof/report/formats.hpp>
+
+#include <stdexcept>
+
+#include <patchproof/report/json_report.hpp>
+#include <patchproof/report/text_report.hpp>
+
+namespace patchproof {
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all{
+      {"text", text_report},
+      {"json", json_report},
+  };
+  return all;
+}
+
+std::string written(const Report& report, std::string_view format, const ReportStyle& style) {
+  for (const Format& known : formats())
+    if (known.name == format) return known.write(report, style);
+  throw std::invalid_argument{"there is no format '" + std::string{format} + "'"};
+}
+
+}  // namespace patchproof

@@ -1,0 +1,59 @@
+// Fuzz target of the language front: whatever the text, parsing ends well; whatever the text
+// without mistakes, formatting keeps its meaning and is done after once.
+
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include <patchproof/language/dump.hpp>
+#include <patchproof/language/formatter.hpp>
+#include <patchproof/language/parser.hpp>
+
+namespace {
+
+using namespace patchproof;
+
+[[noreturn]] void violated(const std::string& law, const std::string& text) {
+  std::cerr << "violated: " << law << "\n" << text << "\n";
+  std::abort();
+}
+
+void remove_positions(nlohmann::ordered_json& node) {
+  if (node.is_object()) {
+    node.erase("line");
+    node.erase("column");
+  }
+  if (node.is_structured()) {
+    for (auto& part : node) remove_positions(part);
+  }
+}
+
+std::string meaning_of(const syntax::File& file) {
+  auto tree = nlohmann::ordered_json::parse(dump(file));
+  remove_positions(tree);
+  return tree.dump();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto source = std::make_shared<const SourceText>(
+      SourceText{"fuzz.proof", std::string(reinterpret_cast<const char*>(data), size)});
+  const Parsed parsed = parse(source);
+  if (!parsed.diagnostics.empty()) {
+    if (parsed.diagnostics.size() > 20) violated("at most 20 diagnostics", source->text);
+    for (const Diagnostic& diagnostic : parsed.diagnostics) to_text(diagnostic);
+    dump(parsed.file);
+    return 0;
+  }
+  const auto once =
+      std::make_shared<const SourceText>(SourceText{"fuzz.proof", formatted(*source)});
+  const Parsed again = parse(once);
+  if (!again.diagnostics.empty()) violated("a formatted text has no mistakes", once->text);
+  if (meaning_of(again.file) != meaning_of(parsed.file)) violated("same meaning", once->text);
+  if (formatted(*once) != once->text) violated("formatting is done after once", once->text);
+  return 0;
+}

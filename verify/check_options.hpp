@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include <patchproof/patchproof.hpp>
+
+namespace patchproof {
+
+/// What can be said on the command line of `patchproof check`.
+struct CheckArguments {
+  std::vector<std::string> paths;
+  std::vector<std::string> only;
+  std::string format = "text";
+  std::string output;
+  std::string colour = "auto";
+  std::string engines = "both";
+  std::string seconds;
+  std::string megabytes;
+  std::string steps;
+  std::string terms;
+  bool strict = false;
+  bool list = false;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+/// Tells the command about its options, which are put into the arguments.
+void declare(CLI::App& command, CheckArguments& arguments);
+
+/// What the arguments mean for the library.
+CheckOptions options_of(const CheckArguments& arguments);
+
+}  // namespace patchproof

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace patchproof {
+
+/// A text, or why there is none, in the words of the system.
+struct FileText {
+  std::optional<std::string> text;
+  std::string problem;
+};
+
+/// The bytes of a regular file. Devices, pipes and more than 64 MB are refused, so that reading
+/// always ends.
+FileText file_text(const std::string& path);
+
+/// All of standard input, up to 64 MB.
+FileText standard_input_text();
+
+/// What the program calls standard input in its messages.
+inline constexpr const char* standard_input_name = "<stdin>";
+
+/// Writes all of the text to an open file descriptor; "" or what went wrong.
+std::string write_all(int descriptor, const std::string& text);
+
+/// Writes to standard output.
+/// @returns whether that went well; if not, a message is on standard error.
+bool print(const std::string& text);
+
+/// Writes to standard error, as far as that is possible.
+void print_error(const std::string& text);
+
+/// Puts a new text in the place of a file at once, so that there is never half a file; what a
+/// symbolic link points to is replaced, not the link. "" or what went wrong.
+std::string replace_file(const std::string& path, const std::string& text);
+
+}  // namespace patchproof

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+
+namespace patchproof {
+
+/// Bytes now allocated through `new` in this program, blocks as large as the allocator made them.
+///
+/// Memory that libraries take from `malloc` directly is not in it.
+std::size_t allocated_bytes();
+
+}  // namespace patchproof
