@@ -61,6 +61,10 @@ int run(int argument_count, char* arguments[]) {
     const std::string parent = command.get_parent() == nullptr ? "" : "patchproof";
     return ended(print(command.help(parent)) ? ExitCode::as_expected : ExitCode::unreadable);
   } catch (const CLI::ParseError& error) {
+    if (argument_count <= 1) {
+      print_error(program.help());
+      return ended(ExitCode::usage);
+    }
     const std::string name = name_of(named_command(program));
     print_error(name + ": " + message_of(error, program) + "\n  = help: '" + name +
                 " --help' shows what can be said\n");

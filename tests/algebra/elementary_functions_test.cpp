@@ -1,7 +1,8 @@
 #include <catch2/catch.hpp>
-#include <patchproof/algebra/enclosure.hpp>
 #include <random>
 #include <stdexcept>
+
+#include <patchproof/algebra/enclosure.hpp>
 
 using patchproof::contains;
 using patchproof::cosine;

@@ -5,8 +5,9 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <string_view>
 
 #include <patchproof/language/dump.hpp>
 #include <patchproof/language/formatter.hpp>
@@ -21,20 +22,18 @@ using namespace patchproof;
   std::abort();
 }
 
-void remove_positions(nlohmann::ordered_json& node) {
-  if (node.is_object()) {
-    node.erase("line");
-    node.erase("column");
-  }
-  if (node.is_structured()) {
-    for (auto& part : node) remove_positions(part);
-  }
-}
-
+/// The syntax tree without positions, as lines.
 std::string meaning_of(const syntax::File& file) {
-  auto tree = nlohmann::ordered_json::parse(dump(file));
-  remove_positions(tree);
-  return tree.dump();
+  // Texts in JSON hold no line ends, so a position is always a line of its own.
+  std::istringstream tree(dump(file));
+  std::string result;
+  for (std::string line; std::getline(tree, line);) {
+    const std::string_view entry = std::string_view(line).substr(line.find_first_not_of(' '));
+    const bool is_position =
+        entry.rfind("\"line\": ", 0) == 0 || entry.rfind("\"column\": ", 0) == 0;
+    if (!is_position) result += std::string(entry) + "\n";
+  }
+  return result;
 }
 
 }  // namespace

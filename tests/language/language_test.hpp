@@ -1,8 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <string_view>
 
 #include <patchproof/language/dump.hpp>
 #include <patchproof/language/formatter.hpp>
@@ -24,21 +25,22 @@ inline std::string messages_of(std::string text) {
   return result;
 }
 
-inline void remove_positions(nlohmann::ordered_json& node) {
-  if (node.is_object()) {
-    node.erase("line");
-    node.erase("column");
+/// The syntax tree without positions, as lines.
+inline std::string meaning_of(const syntax::File& file) {
+  // Texts in JSON hold no line ends, so a position is always a line of its own.
+  std::istringstream tree(dump(file));
+  std::string result;
+  for (std::string line; std::getline(tree, line);) {
+    const std::string_view entry = std::string_view(line).substr(line.find_first_not_of(' '));
+    const bool is_position =
+        entry.rfind("\"line\": ", 0) == 0 || entry.rfind("\"column\": ", 0) == 0;
+    if (!is_position) result += std::string(entry) + "\n";
   }
-  if (node.is_structured()) {
-    for (auto& part : node) remove_positions(part);
-  }
+  return result;
 }
 
-/// The syntax tree of a text without mistakes, as JSON without positions.
 inline std::string meaning_of(const std::string& text) {
-  auto tree = nlohmann::ordered_json::parse(dump(parse(source_of(text)).file));
-  remove_positions(tree);
-  return tree.dump(1);
+  return meaning_of(parse(source_of(text)).file);
 }
 
 }  // namespace patchproof

@@ -95,8 +95,8 @@ TEST_CASE("a file has at most a hundred thousand statements", "[language][reject
         "more than 100000 statements in one file\n");
 }
 
-TEST_CASE("positions on a line of a megabyte are found quickly", "[language]") {
-  const std::string text = claim("x" + repeated("+\u00e9", 0) + repeated("+x", 20'000));
+TEST_CASE("the places of twenty thousand nodes on one line are found quickly", "[language]") {
+  const std::string text = claim("x" + repeated("+x", 20'000));
   const std::string tree = dump(parse(source_of(text)).file);
   CHECK(tree.find("\"column\": 40012") != std::string::npos);
 }

@@ -137,8 +137,7 @@ TEST_CASE("basis functions that do not exist have no opinion", "[reject]") {
   Declarations declare;
   const Term t = declare.parameter("t");
   CHECK(reason(basis({1, 0, 0, knots({0, 0, 1, 1})}, t), t) == "an empty knot span");
-  CHECK(reason(basis({1, 0, 0, knots({0, 1, 0, 1})}, t), t) ==
-        "the knots of a B-spline decrease");
+  CHECK(reason(basis({1, 0, 0, knots({0, 1, 0, 1})}, t), t) == "the knots of a B-spline decrease");
   CHECK(reason(basis({3, 1, 0, knots({0, 1, 2, 3})}, t), t) ==
         "a B-spline basis function that does not exist");
 }

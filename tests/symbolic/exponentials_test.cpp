@@ -9,8 +9,7 @@ using namespace patchproof::terms;
 
 namespace {
 
-const std::string related =
-    "the difference is not zero in form, but its parts may be related";
+const std::string related = "the difference is not zero in form, but its parts may be related";
 
 }  // namespace
 
@@ -96,8 +95,7 @@ TEST_CASE("square roots of numbers have their primes apart") {
   CHECK(holds(root(10007L * 10009L), root(10007) * root(10009)));
   CHECK(fails(root(2) + root(3), root(5)));
   CHECK(fails(root(2), number(3, 2)));
-  CHECK(opinion(root(-2), number(1)).reason ==
-        "the square root of a number that is not positive");
+  CHECK(opinion(root(-2), number(1)).reason == "the square root of a number that is not positive");
 }
 
 TEST_CASE("square roots of polynomials are known by their squares") {

@@ -65,9 +65,9 @@ class Drawer {
 
  private:
   Term leaf() {
-    return below(4) == 0 ? number(below(7) - 3, 1 + below(3))
-                         : letters_[static_cast<std::size_t>(
-                               below(static_cast<int>(letters_.size())))];
+    return below(4) == 0
+               ? number(below(7) - 3, 1 + below(3))
+               : letters_[static_cast<std::size_t>(below(static_cast<int>(letters_.size())))];
   }
 
   std::mt19937 random_;

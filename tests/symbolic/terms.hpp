@@ -30,8 +30,8 @@ class Declarations {
         (*this)(name, Role::function, Type::function({parameter}, Type::point(dimension))));
   }
   Term scalar_function(const std::string& name, std::vector<std::string> parameters) {
-    return symbol_term((*this)(name, Role::function,
-                               Type::function(std::move(parameters), Type::scalar())));
+    return symbol_term(
+        (*this)(name, Role::function, Type::function(std::move(parameters), Type::scalar())));
   }
 
  private:
@@ -99,8 +99,8 @@ inline Term matrix(int rows, int columns, const std::vector<Term>& entries) {
 }
 inline Term times(const Term& a, const Term& b) {
   const Type& entry = a.type().inner->is_scalar() ? *b.type().inner : *a.type().inner;
-  return make_term(Operation::matrix_product,
-                   Type::matrix(a.type().rows, b.type().columns, entry), {a, b});
+  return make_term(Operation::matrix_product, Type::matrix(a.type().rows, b.type().columns, entry),
+                   {a, b});
 }
 inline Term component(const Term& value, int k) {
   return make_term(Operation::component, Type::scalar(), {value}, Indices{k});
@@ -125,12 +125,10 @@ inline SecondOpinion opinion(const Term& left, const Term& right,
                              const std::vector<Statement>& assumed = {}) {
   return opinion(goal({equation(left, right)}, assumed));
 }
-inline bool holds(const Term& left, const Term& right,
-                  const std::vector<Statement>& assumed = {}) {
+inline bool holds(const Term& left, const Term& right, const std::vector<Statement>& assumed = {}) {
   return opinion(left, right, assumed).answer == Answer::holds;
 }
-inline bool fails(const Term& left, const Term& right,
-                  const std::vector<Statement>& assumed = {}) {
+inline bool fails(const Term& left, const Term& right, const std::vector<Statement>& assumed = {}) {
   return opinion(left, right, assumed).answer == Answer::fails;
 }
 inline std::string reason(const Term& left, const Term& right,

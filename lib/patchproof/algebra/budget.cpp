@@ -1,6 +1,7 @@
+#include <patchproof/algebra/budget.hpp>
+
 #include <atomic>
 #include <limits>
-#include <patchproof/algebra/budget.hpp>
 
 namespace patchproof {
 

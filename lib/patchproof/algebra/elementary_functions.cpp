@@ -6,9 +6,10 @@
 // comment at each series bounds both the cuts and the terms left out.
 
 #include <algorithm>
-#include <patchproof/algebra/enclosure.hpp>
 #include <stdexcept>
 #include <utility>
+
+#include <patchproof/algebra/enclosure.hpp>
 
 namespace patchproof {
 

@@ -1,5 +1,6 @@
-#include <algorithm>
 #include <patchproof/algebra/enclosure.hpp>
+
+#include <algorithm>
 #include <stdexcept>
 
 namespace patchproof {

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <patchproof/algebra/number.hpp>
 #include <string>
+
+#include <patchproof/algebra/number.hpp>
 
 /// Intervals that are certain to contain a real number: the exact way to compare numbers such as
 /// sqrt(2) and pi. Source: Moore, Kearfott & Cloud, Introduction to Interval Analysis, ch. 2 and 5.

@@ -1,4 +1,5 @@
 #include <patchproof/algebra/linear_constraints.hpp>
+
 #include <set>
 #include <stdexcept>
 #include <utility>

@@ -2,10 +2,11 @@
 
 #include <map>
 #include <optional>
+#include <vector>
+
 #include <patchproof/algebra/budget.hpp>
 #include <patchproof/algebra/number.hpp>
 #include <patchproof/algebra/simplest_between.hpp>
-#include <vector>
 
 namespace patchproof {
 

@@ -1,5 +1,6 @@
-#include <algorithm>
 #include <patchproof/algebra/number.hpp>
+
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 

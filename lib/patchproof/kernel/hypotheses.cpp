@@ -75,7 +75,9 @@ void Hypotheses::add_equation(const Polynomial& equation, const std::string& nam
   const bool solved = parameters_in(rest).empty()
                           ? replace_variable(rest)
                           : define_function(rest) || split_by_parameters(rest, name);
-  if (!solved) left_out_.push_back(name + " is not linear in something it could be solved for");
+  if (solved) return;
+  left_out_.push_back(name + " is not linear in something it could be solved for");
+  unsolved_.push_back(rest);
 }
 
 std::set<Variable> Hypotheses::parameters_in(const Polynomial& polynomial) const {
@@ -220,32 +222,29 @@ Fraction Hypotheses::function_value(const Definition& definition, const Atom& je
   return result;
 }
 
-std::map<Variable, Fraction> Hypotheses::all_images() {
-  if (!functions_.empty()) {
-    for (Variable v = 0; v < workspace_.atoms.size(); ++v) {
-      const Atom atom = workspace_.atoms[v];
-      if (atom.kind != Atom::Kind::jet || function_images_.contains(v)) continue;
-      const bool generic = std::any_of(
-          atom.arguments.begin(), atom.arguments.end(), [&](const Fraction& argument) {
-            const std::set<Variable> its = variables(argument);
-            return std::any_of(its.begin(), its.end(), [&](Variable x) {
-              return workspace_.atoms[x].kind == Atom::Kind::slot;
-            });
-          });
-      const auto definition = functions_.find({atom.symbol->ordinal, atom.component});
-      if (generic || definition == functions_.end()) continue;
-      function_images_.emplace(v, function_value(definition->second, atom));
-    }
-  }
+std::map<Variable, Fraction> Hypotheses::images_for(const Fraction& fraction) {
   std::map<Variable, Fraction> result = images_;
-  result.insert(function_images_.begin(), function_images_.end());
+  if (functions_.empty()) return result;
+  std::set<Variable> within;
+  collect(fraction, workspace_.atoms, within);
+  for (const Variable v : within) {
+    const Atom atom = workspace_.atoms[v];
+    if (atom.kind != Atom::Kind::jet) continue;
+    const auto definition = functions_.find({atom.symbol->ordinal, atom.component});
+    if (definition == functions_.end()) continue;
+    const auto known = function_images_.find(v);
+    result.insert_or_assign(
+        v, known != function_images_.end()
+               ? known->second
+               : function_images_.emplace(v, function_value(definition->second, atom)).first->second);
+  }
   return result;
 }
 
 Fraction Hypotheses::reduced(const Fraction& fraction) {
   Fraction result = fraction;
   for (int round = 0; round < most_rounds; ++round) {
-    std::map<Variable, Fraction> images = all_images();
+    std::map<Variable, Fraction> images = images_for(result);
     if (images.empty()) return result;
     Substitution substitution{std::move(images), workspace_};
     const Fraction next = substitution(result);

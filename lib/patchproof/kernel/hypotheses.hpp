@@ -36,6 +36,9 @@ class Hypotheses {
   /// Why some equation could not be used: "assumption 'x' is not linear"; empty when all could.
   const std::vector<std::string>& left_out() const { return left_out_; }
 
+  /// The equations behind that, as polynomials that have to vanish.
+  const std::vector<Polynomial>& unsolved() const { return unsolved_; }
+
   /// A function that the assumptions express by others: its value at the bare parameters.
   struct Definition {
     std::vector<Variable> parameters;
@@ -58,7 +61,8 @@ class Hypotheses {
   void add_facts(const Goal& goal, const std::vector<bool>& enabled, Evaluator& evaluator);
 
   std::set<Variable> parameters_in(const Polynomial& polynomial) const;
-  std::map<Variable, Fraction> all_images();
+  /// The replacements that matter for the fraction.
+  std::map<Variable, Fraction> images_for(const Fraction& fraction);
   Fraction function_value(const Definition& definition, const Atom& jet);
   void require_in_range(Variable parameter, const Fraction& argument);
 
@@ -71,6 +75,7 @@ class Hypotheses {
   Conditions conditions_;
   bool contradictory_ = false;
   std::vector<std::string> left_out_;
+  std::vector<Polynomial> unsolved_;
 };
 
 /// All variables of the polynomial and of the arguments of its atoms, at any depth.

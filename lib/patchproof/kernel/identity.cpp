@@ -30,6 +30,14 @@ Polynomial sign_polynomial(const Fraction& fraction, Workspace& workspace) {
                      workspace);
 }
 
+// Zero by itself, or a multiple of an assumed equation that could not be solved.
+bool vanishes(const Fraction& d, const Hypotheses& hypotheses, Workspace& w) {
+  if (d.is_zero()) return true;
+  for (const Polynomial& equation : hypotheses.unsolved())
+    if (quotient(d.numerator(), equation, w.budget)) return true;
+  return false;
+}
+
 bool order_holds(Relation relation, const Fraction& d, const SignFacts& facts, Workspace& w) {
   const Polynomial p = sign_polynomial(d, w);
   const Polynomial minus = scaled(p, -1);
@@ -59,7 +67,7 @@ Finding finding(const Goal& goal, Evaluator& evaluator, Hypotheses& hypotheses,
       const Fraction plain = difference(left.components[c], right.components[c], workspace.budget);
       const Fraction d =
           normal_form(hypotheses.reduced(normal_form(plain, workspace)), workspace);
-      bool good = d.is_zero();
+      bool good = vanishes(d, hypotheses, workspace);
       if (statement.relation == Relation::not_equal) {
         some_never_equal =
             some_never_equal || hypotheses.facts().never_zero(d.numerator(), workspace.budget);

@@ -26,6 +26,16 @@ std::vector<Polynomial> bernstein_form(const std::vector<Polynomial>& powers, Bu
   return result;
 }
 
+// A sum of positive multiples of squares of monomials; strict: with a positive constant among them.
+bool is_sum_of_squares(const Polynomial& polynomial, bool strict) {
+  for (const auto& term : polynomial.terms()) {
+    if (term.coefficient < 0) return false;
+    for (const auto& p : term.monomial.powers())
+      if (p.exponent % 2 == 1) return false;
+  }
+  return !strict || polynomial.constant() > 0;
+}
+
 }  // namespace
 
 std::optional<LinearConstraint> linear_constraint(const Polynomial& polynomial,
@@ -114,13 +124,15 @@ bool SignFacts::bernstein_positive(const Polynomial& polynomial, bool strict,
 
 bool SignFacts::always_positive(const Polynomial& polynomial, Budget& budget) const {
   if (polynomial.is_constant()) return polynomial.constant() > 0;
-  return impossible(scaled(polynomial, -1), LinearConstraint::Kind::at_least_zero, budget) ||
+  return is_sum_of_squares(polynomial, true) ||
+         impossible(scaled(polynomial, -1), LinearConstraint::Kind::at_least_zero, budget) ||
          bernstein_positive(polynomial, true, budget);
 }
 
 bool SignFacts::never_negative(const Polynomial& polynomial, Budget& budget) const {
   if (polynomial.is_constant()) return polynomial.constant() >= 0;
-  return impossible(scaled(polynomial, -1), LinearConstraint::Kind::above_zero, budget) ||
+  return is_sum_of_squares(polynomial, false) ||
+         impossible(scaled(polynomial, -1), LinearConstraint::Kind::above_zero, budget) ||
          bernstein_positive(polynomial, false, budget);
 }
 

@@ -30,7 +30,7 @@ class SignFacts {
 
   /// Whether the facts show it; `false` means only that they were not enough.
   ///
-  /// Methods: constants; factors known not to vanish; Fourier-Motzkin for linear polynomials;
+  /// Methods: constants; factors known not to vanish; sums of even powers; Fourier-Motzkin for linear polynomials;
   /// equal signs of all Bernstein coefficients over a box (Farin, ch. 5: convex hull property).
   bool never_zero(const Polynomial& polynomial, Budget& budget) const;
   bool never_negative(const Polynomial& polynomial, Budget& budget) const;

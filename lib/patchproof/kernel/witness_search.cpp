@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <patchproof/kernel/interpolation.hpp>
-#include <patchproof/kernel/polynomial_term.hpp>
+
 #include <patchproof/kernel/witness.hpp>
-#include <patchproof/term/replacement.hpp>
+#include <patchproof/kernel/witness_values.hpp>
 
 namespace patchproof {
 
@@ -41,14 +40,15 @@ class Search {
   std::optional<Witness> run() {
     for (const Polynomial& p : target_.not_zero) state_.push_back({p, Kind::not_zero});
     for (const Polynomial& p : hypotheses_.facts().not_zero()) state_.push_back({p, Kind::not_zero});
+    for (const Polynomial& p : hypotheses_.unsolved()) state_.push_back({p, Kind::zero});
     for (const auto& i : target_.inequalities) add_inequality(i);
     for (const auto& i : hypotheses_.facts().inequalities()) add_inequality(i);
     if (!assign()) return std::nullopt;
-    return collected();
+    return witness_values(goal_, assigned_, hypotheses_, workspace_);
   }
 
  private:
-  enum class Kind { not_zero, at_least_zero, above_zero };
+  enum class Kind { zero, not_zero, at_least_zero, above_zero };
   struct Requirement {
     Polynomial polynomial;
     Kind kind;
@@ -57,11 +57,6 @@ class Search {
 
   void add_inequality(const SignFacts::Inequality& i) {
     state_.push_back({i.polynomial, i.strict ? Kind::above_zero : Kind::at_least_zero});
-  }
-
-  bool is_base(Variable v) const {
-    const Atom::Kind kind = workspace_.atoms[v].kind;
-    return kind == Atom::Kind::symbol || kind == Atom::Kind::jet;
   }
 
   // Parameters and scalars come first: they occur in the arguments of others.
@@ -74,12 +69,21 @@ class Search {
     };
     for (const Requirement& requirement : state_)
       for (const Variable v : variables_within(requirement.polynomial, workspace_.atoms))
-        if (is_base(v) && (!best || rank(v) < rank(*best))) best = v;
+        if (is_open(v, workspace_.atoms) && (!best || rank(v) < rank(*best))) best = v;
     return best;
   }
 
-  Fraction with_value(const Fraction& fraction, Variable v, const Rational& value) {
-    return hypotheses_.reduced(Substitution{{{v, value}}, workspace_}(hypotheses_.reduced(fraction)));
+  static bool is_order(Kind kind) {
+    return kind == Kind::at_least_zero || kind == Kind::above_zero;
+  }
+
+  static bool fits(Kind kind, const Rational& value) {
+    switch (kind) {
+      case Kind::zero: return value == 0;
+      case Kind::not_zero: return value != 0;
+      case Kind::at_least_zero: return value >= 0;
+      default: return value > 0;
+    }
   }
 
   // The state after v = value; empty when some requirement then fails.
@@ -89,19 +93,16 @@ class Search {
     for (const Requirement& requirement : state_) {
       Polynomial p = requirement.polynomial;
       if (variables_within(p, workspace_.atoms).contains(v)) {
-        const Fraction moved = with_value(p, v, value);
+        const Fraction moved = with_value(p, v, value, hypotheses_, workspace_);
         if (!moved.is_polynomial()) return std::nullopt;
         p = moved.numerator();
       }
       if (p.is_constant()) {
         const Rational c = p.constant();
-        const bool good = requirement.kind == Kind::not_zero        ? c != 0
-                          : requirement.kind == Kind::at_least_zero ? c >= 0
-                                                                    : c > 0;
-        if (!good) return std::nullopt;
+        if (!fits(requirement.kind, c)) return std::nullopt;
         continue;
       }
-      if (requirement.kind != Kind::not_zero) {
+      if (is_order(requirement.kind)) {
         const auto constraint = linear_constraint(
             p, requirement.kind == Kind::above_zero ? LinearConstraint::Kind::above_zero
                                                     : LinearConstraint::Kind::at_least_zero);
@@ -141,7 +142,7 @@ class Search {
   std::optional<Rational> model_value(Variable v) {
     std::vector<LinearConstraint> linear;
     for (const Requirement& requirement : state_) {
-      if (requirement.kind == Kind::not_zero || linear.size() >= 24) continue;
+      if (!is_order(requirement.kind) || linear.size() >= 24) continue;
       const auto constraint = linear_constraint(requirement.polynomial,
                                                 requirement.kind == Kind::above_zero
                                                     ? LinearConstraint::Kind::above_zero
@@ -153,147 +154,6 @@ class Search {
     return model->at(v);
   }
 
-  // The value of a fraction once everything is assigned; what is still open is zero.
-  std::optional<Rational> number(const Fraction& fraction) {
-    Fraction result = hypotheses_.reduced(fraction);
-    for (const auto& [v, value] : assigned_) result = with_value(result, v, value);
-    for (int round = 0; round < 1000; ++round) {
-      std::optional<Variable> open;
-      std::set<Variable> within = variables_within(result.numerator(), workspace_.atoms);
-      for (const auto& [factor, exponent] : result.denominator())
-        within.merge(variables_within(factor, workspace_.atoms));
-      for (const Variable v : within)
-        if (is_base(v)) open = v;
-      if (!open) break;
-      result = with_value(result, *open, 0);
-    }
-    if (!result.is_polynomial() || !result.numerator().is_constant()) return std::nullopt;
-    return result.numerator().constant();
-  }
-
-  std::optional<Witness> collected() {
-    Witness witness;
-    std::map<unsigned, SymbolPointer> symbols = free_symbols(goal_);
-    for (const ParameterRange& range : goal_.ranges) {
-      const bool needed = std::any_of(
-          goal_.statements.begin(), goal_.statements.end(), [&](const Statement& s) {
-            return free_symbols(s.left).contains(range.parameter->ordinal) ||
-                   free_symbols(s.right).contains(range.parameter->ordinal);
-          });
-      if (!needed) symbols.erase(range.parameter->ordinal);
-    }
-    for (const KnownValue& known : goal_.known) symbols.erase(known.symbol->ordinal);
-    for (const auto& [ordinal, symbol] : symbols) {
-      const std::optional<Term> value =
-          symbol->role == Symbol::Role::function ? function(symbol) : constant(symbol);
-      if (!value) return std::nullopt;
-      witness.values.push_back({symbol, *value});
-    }
-    return witness;
-  }
-
-  std::optional<Term> constant(const SymbolPointer& symbol) {
-    std::vector<Term> coordinates;
-    for (std::size_t k = 0; k < symbol->type.component_count(); ++k) {
-      const Variable v = workspace_.atoms.symbol(symbol, static_cast<int>(k));
-      const std::optional<Rational> value = number(Polynomial::variable(v));
-      if (!value) return std::nullopt;
-      coordinates.push_back(number_term(*value));
-    }
-    if (symbol->type.is_scalar()) return coordinates.front();
-    return make_term(Operation::tuple, symbol->type, std::move(coordinates));
-  }
-
-  std::optional<Term> function(const SymbolPointer& symbol) {
-    std::vector<Polynomial> components;
-    std::vector<Variable> slots;
-    for (std::size_t k = 0; k < symbol->type.parameters.size(); ++k)
-      slots.push_back(workspace_.atoms.slot(symbol, static_cast<int>(k)));
-    for (std::size_t c = 0; c < symbol->type.component_count(); ++c) {
-      const std::optional<Polynomial> found = component(symbol, static_cast<int>(c), slots);
-      if (!found) return std::nullopt;
-      components.push_back(*found);
-    }
-    return polynomial_function(components, symbol->type, slots);
-  }
-
-  // The unknown function as a polynomial in its slots, through all the values it must have.
-  std::optional<Polynomial> component(const SymbolPointer& symbol, int c,
-                                      const std::vector<Variable>& slots) {
-    const auto key = std::pair{symbol->ordinal, c};
-    const auto known = functions_.find(key);
-    if (known != functions_.end()) return known->second;
-    if (const auto defined = hypotheses_.definition(*symbol, c)) {
-      const std::optional<Polynomial> value = defined_component(*defined, slots);
-      if (value) functions_.emplace(key, *value);
-      return value;
-    }
-    std::vector<Prescription> prescriptions;
-    for (Variable v = 0; v < workspace_.atoms.size(); ++v) {
-      const Atom atom = workspace_.atoms[v];
-      if (atom.kind != Atom::Kind::jet || atom.symbol->ordinal != symbol->ordinal ||
-          atom.component != c)
-        continue;
-      Prescription p{atom.orders, {}, 0};
-      bool numeric = true;
-      for (const Fraction& argument : atom.arguments) {
-        bool has_slot = false;
-        for (const Variable x : variables(argument))
-          has_slot = has_slot || workspace_.atoms[x].kind == Atom::Kind::slot ||
-                     (workspace_.atoms[x].symbol &&
-                      workspace_.atoms[x].symbol->role == Symbol::Role::bound);
-        const std::optional<Rational> value = has_slot ? std::nullopt : number(argument);
-        numeric = numeric && value.has_value();
-        if (numeric) p.at.push_back(*value);
-      }
-      if (!numeric) continue;
-      const std::optional<Rational> value = number(Polynomial::variable(v));
-      if (!value) continue;
-      p.value = *value;
-      prescriptions.push_back(std::move(p));
-    }
-    std::optional<Polynomial> result = interpolant(prescriptions, slots, workspace_.budget);
-    if (result) functions_.emplace(key, *result);
-    return result;
-  }
-
-  // A function that the assumptions define by others, at the polynomials chosen for those.
-  std::optional<Polynomial> defined_component(const Hypotheses::Definition& definition,
-                                              const std::vector<Variable>& slots) {
-    std::map<Variable, Fraction> images;
-    for (const Variable v : variables(definition.value)) {
-      const Atom atom = workspace_.atoms[v];
-      if (atom.kind == Atom::Kind::symbol && atom.symbol->role != Symbol::Role::parameter) {
-        const std::optional<Rational> value = number(Polynomial::variable(v));
-        if (!value) return std::nullopt;
-        images.emplace(v, *value);
-      } else if (atom.kind == Atom::Kind::jet) {
-        std::vector<Variable> inner;
-        for (std::size_t k = 0; k < atom.arguments.size(); ++k)
-          inner.push_back(workspace_.atoms.slot(atom.symbol, static_cast<int>(k)));
-        std::optional<Polynomial> value = component(atom.symbol, atom.component, inner);
-        if (!value) return std::nullopt;
-        std::map<Variable, Fraction> arguments;
-        for (std::size_t k = 0; k < inner.size(); ++k) {
-          for (int order = 0; order < atom.orders[k]; ++order)
-            value = derivative(*value, inner[k]);
-          arguments.emplace(inner[k], atom.arguments[k]);
-        }
-        images.emplace(v, substituted(Fraction{*value}, arguments, workspace_.budget));
-      }
-    }
-    Fraction value = substituted(definition.value, images, workspace_.budget);
-    std::map<Variable, Fraction> rename;
-    for (std::size_t k = 0; k < slots.size(); ++k)
-      rename.emplace(definition.parameters[k], Fraction{Polynomial::variable(slots[k])});
-    value = substituted(value, rename, workspace_.budget);
-    if (!value.is_polynomial()) return std::nullopt;
-    const std::set<Variable> allowed{slots.begin(), slots.end()};
-    for (const Variable v : value.numerator().variables())
-      if (!allowed.contains(v)) return std::nullopt;
-    return value.numerator();
-  }
-
   const Goal& goal_;
   const WitnessTarget& target_;
   Hypotheses& hypotheses_;
@@ -301,7 +161,6 @@ class Search {
   std::vector<Rational> candidates_;
   State state_;
   std::vector<std::pair<Variable, Rational>> assigned_;
-  std::map<std::pair<unsigned, int>, Polynomial> functions_;
   int tried_ = 0;
 };
 

@@ -138,8 +138,17 @@ void Assumptions::use(Replacements replacements) {
   for (const ex& equation : before) add_equation(rules_.back()(equation));
 }
 
+bool Assumptions::has_kept(const ex& equation) const {
+  const std::set<unsigned> ids = ring_.atoms().occurring_deeply(equation);
+  return std::any_of(ids.begin(), ids.end(), [this](unsigned id) {
+    const SymbolPointer& symbol = ring_.atoms().at(id).symbol;
+    return symbol && kept_.contains(symbol->ordinal);
+  });
+}
+
 bool Assumptions::use_for_function(std::size_t index) {
   const ex equation = equations_[index];
+  if (has_kept(equation)) return false;
   for (const unsigned id : ring_.atoms().occurring(equation)) {
     const Atom& atom = ring_.atoms().at(id);
     const std::optional<std::vector<unsigned>> parameters = formals(ring_, atom);
@@ -158,11 +167,11 @@ bool Assumptions::use_for_function(std::size_t index) {
 
 bool Assumptions::use_for_atom(std::size_t index, Kind kind) {
   const ex equation = equations_[index];
-  if (has_parameters(ring_, equation)) return false;
+  if (has_parameters(ring_, equation) || has_kept(equation)) return false;
   const std::set<unsigned> ids = ring_.atoms().occurring(equation);
   for (auto id = ids.rbegin(); id != ids.rend(); ++id) {
     const Atom& atom = ring_.atoms().at(*id);
-    if (atom.kind != kind || kept_.contains(atom.symbol->ordinal)) continue;
+    if (atom.kind != kind) continue;
     // C(a) was replaced and a now should be: that C(b) has a value too would be missed.
     if (fixed_.contains(*id)) continue;
     const std::optional<Solved> solved = solved_for(ring_, equation, *id);

@@ -18,7 +18,7 @@ namespace patchproof::symbolic {
 /// are no equations, are left aside.
 class Assumptions {
  public:
-  /// Symbols with an ordinal in `kept` are never replaced.
+  /// Equations with a symbol whose ordinal is in `kept` are left aside.
   /// @throws OverBudget
   /// @throws std::domain_error when the assumptions contradict each other.
   Assumptions(Ring& ring, Evaluation& evaluation, const std::vector<Assumption>& assumptions,
@@ -33,6 +33,7 @@ class Assumptions {
  private:
   void add_equation(const GiNaC::ex& equation);
   void use(Replacements replacements);
+  bool has_kept(const GiNaC::ex& equation) const;
   bool use_for_function(std::size_t index);
   bool use_for_atom(std::size_t index, Atom::Kind kind);
   bool use_any();

@@ -1,5 +1,6 @@
-#include <algorithm>
 #include <patchproof/term/bounded_text.hpp>
+
+#include <algorithm>
 
 namespace patchproof {
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <patchproof/algebra/number.hpp>
 #include <string>
 #include <string_view>
+
+#include <patchproof/algebra/number.hpp>
 
 namespace patchproof {
 

@@ -1,10 +1,13 @@
+#include <patchproof/term/plain_text.hpp>
+
 #include <algorithm>
 #include <initializer_list>
 #include <numeric>
+#include <string_view>
+#include <utility>
+
 #include <patchproof/term/binding.hpp>
 #include <patchproof/term/bounded_text.hpp>
-#include <patchproof/term/plain_text.hpp>
-#include <string_view>
 
 namespace patchproof {
 
@@ -12,27 +15,20 @@ namespace {
 
 // What stands before the parentheses of an operation that is written as a call.
 std::string_view call_name(const Term& term) {
-  switch (term.operation()) {
-    case Operation::sine:
-      return "sin";
-    case Operation::cosine:
-      return "cos";
-    case Operation::exponential:
-      return "exp";
-    case Operation::square_root:
-      return "sqrt";
-    case Operation::transpose:
-      return "transpose";
-    case Operation::determinant:
-      return "det";
-    case Operation::dot:
-      return "dot";
-    case Operation::cross:
-      return "cross";
-    default:
-      // A tuple; (x) alone would be x in parentheses.
-      return term.children().size() == 1 ? "tuple" : "";
+  static constexpr std::pair<Operation, std::string_view> names[] = {
+      {Operation::sine, "sin"},
+      {Operation::cosine, "cos"},
+      {Operation::exponential, "exp"},
+      {Operation::square_root, "sqrt"},
+      {Operation::transpose, "transpose"},
+      {Operation::determinant, "det"},
+      {Operation::dot, "dot"},
+      {Operation::cross, "cross"}};
+  for (const auto& [operation, name] : names) {
+    if (operation == term.operation()) return name;
   }
+  // A tuple; (x) alone would be x in parentheses.
+  return term.children().size() == 1 ? "tuple" : "";
 }
 
 class Writer {

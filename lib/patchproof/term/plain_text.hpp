@@ -1,7 +1,8 @@
 #pragma once
 
-#include <patchproof/term/term.hpp>
 #include <string>
+
+#include <patchproof/term/term.hpp>
 
 namespace patchproof {
 

@@ -1,5 +1,6 @@
-#include <algorithm>
 #include <patchproof/term/term.hpp>
+
+#include <algorithm>
 #include <utility>
 
 namespace patchproof {

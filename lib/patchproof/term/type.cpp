@@ -1,4 +1,5 @@
 #include <patchproof/term/type.hpp>
+
 #include <utility>
 
 namespace patchproof {

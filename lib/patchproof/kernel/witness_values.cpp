@@ -1,0 +1,185 @@
+#include <patchproof/kernel/witness_values.hpp>
+
+#include <algorithm>
+
+#include <patchproof/kernel/interpolation.hpp>
+#include <patchproof/kernel/polynomial_term.hpp>
+#include <patchproof/term/replacement.hpp>
+
+namespace patchproof {
+
+bool is_open(Variable variable, const Atoms& atoms) {
+  const Atom::Kind kind = atoms[variable].kind;
+  return kind == Atom::Kind::symbol || kind == Atom::Kind::jet;
+}
+
+Fraction with_value(const Fraction& fraction, Variable variable, const Rational& value,
+                    Hypotheses& hypotheses, Workspace& workspace) {
+  const Fraction reduced = hypotheses.reduced(fraction);
+  return hypotheses.reduced(Substitution{{{variable, value}}, workspace}(reduced));
+}
+
+namespace {
+
+class Values {
+ public:
+  Values(const Goal& goal, const Assignment& assigned, Hypotheses& hypotheses, Workspace& workspace)
+      : goal_{goal}, assigned_{assigned}, hypotheses_{hypotheses}, workspace_{workspace} {}
+
+  std::optional<Witness> collected() {
+    Witness witness;
+    std::map<unsigned, SymbolPointer> symbols = free_symbols(goal_);
+    for (const ParameterRange& range : goal_.ranges) {
+      const bool needed = std::any_of(
+          goal_.statements.begin(), goal_.statements.end(), [&](const Statement& s) {
+            return free_symbols(s.left).contains(range.parameter->ordinal) ||
+                   free_symbols(s.right).contains(range.parameter->ordinal);
+          });
+      if (!needed) symbols.erase(range.parameter->ordinal);
+    }
+    for (const KnownValue& known : goal_.known) symbols.erase(known.symbol->ordinal);
+    for (const auto& [ordinal, symbol] : symbols) {
+      const std::optional<Term> value =
+          symbol->role == Symbol::Role::function ? function(symbol) : constant(symbol);
+      if (!value) return std::nullopt;
+      witness.values.push_back({symbol, *value});
+    }
+    return witness;
+  }
+
+ private:
+  // The value of a fraction once everything is assigned; what is still open is zero.
+  std::optional<Rational> number(const Fraction& fraction) {
+    Fraction result = hypotheses_.reduced(fraction);
+    for (const auto& [v, value] : assigned_) result = with_value(result, v, value, hypotheses_, workspace_);
+    for (int round = 0; round < 1000; ++round) {
+      std::optional<Variable> open;
+      std::set<Variable> within = variables_within(result.numerator(), workspace_.atoms);
+      for (const auto& [factor, exponent] : result.denominator())
+        within.merge(variables_within(factor, workspace_.atoms));
+      for (const Variable v : within)
+        if (is_open(v, workspace_.atoms)) open = v;
+      if (!open) break;
+      result = with_value(result, *open, 0, hypotheses_, workspace_);
+    }
+    if (!result.is_polynomial() || !result.numerator().is_constant()) return std::nullopt;
+    return result.numerator().constant();
+  }
+
+  std::optional<Term> constant(const SymbolPointer& symbol) {
+    std::vector<Term> coordinates;
+    for (std::size_t k = 0; k < symbol->type.component_count(); ++k) {
+      const Variable v = workspace_.atoms.symbol(symbol, static_cast<int>(k));
+      const std::optional<Rational> value = number(Polynomial::variable(v));
+      if (!value) return std::nullopt;
+      coordinates.push_back(number_term(*value));
+    }
+    if (symbol->type.is_scalar()) return coordinates.front();
+    return make_term(Operation::tuple, symbol->type, std::move(coordinates));
+  }
+
+  std::optional<Term> function(const SymbolPointer& symbol) {
+    std::vector<Polynomial> components;
+    std::vector<Variable> slots;
+    for (std::size_t k = 0; k < symbol->type.parameters.size(); ++k)
+      slots.push_back(workspace_.atoms.slot(symbol, static_cast<int>(k)));
+    for (std::size_t c = 0; c < symbol->type.component_count(); ++c) {
+      const std::optional<Polynomial> found = component(symbol, static_cast<int>(c), slots);
+      if (!found) return std::nullopt;
+      components.push_back(*found);
+    }
+    return polynomial_function(components, symbol->type, slots);
+  }
+
+  // The unknown function as a polynomial in its slots, through all the values it must have.
+  std::optional<Polynomial> component(const SymbolPointer& symbol, int c,
+                                      const std::vector<Variable>& slots) {
+    const auto key = std::pair{symbol->ordinal, c};
+    const auto known = functions_.find(key);
+    if (known != functions_.end()) return known->second;
+    if (const auto defined = hypotheses_.definition(*symbol, c)) {
+      const std::optional<Polynomial> value = defined_component(*defined, slots);
+      if (value) functions_.emplace(key, *value);
+      return value;
+    }
+    std::vector<Prescription> prescriptions;
+    for (Variable v = 0; v < workspace_.atoms.size(); ++v) {
+      const Atom atom = workspace_.atoms[v];
+      if (atom.kind != Atom::Kind::jet || atom.symbol->ordinal != symbol->ordinal ||
+          atom.component != c)
+        continue;
+      Prescription p{atom.orders, {}, 0};
+      bool numeric = true;
+      for (const Fraction& argument : atom.arguments) {
+        bool has_slot = false;
+        for (const Variable x : variables(argument))
+          has_slot = has_slot || workspace_.atoms[x].kind == Atom::Kind::slot ||
+                     (workspace_.atoms[x].symbol &&
+                      workspace_.atoms[x].symbol->role == Symbol::Role::bound);
+        const std::optional<Rational> value = has_slot ? std::nullopt : number(argument);
+        numeric = numeric && value.has_value();
+        if (numeric) p.at.push_back(*value);
+      }
+      if (!numeric) continue;
+      const std::optional<Rational> value = number(Polynomial::variable(v));
+      if (!value) continue;
+      p.value = *value;
+      prescriptions.push_back(std::move(p));
+    }
+    std::optional<Polynomial> result = interpolant(prescriptions, slots, workspace_.budget);
+    if (result) functions_.emplace(key, *result);
+    return result;
+  }
+
+  // A function that the assumptions define by others, at the polynomials chosen for those.
+  std::optional<Polynomial> defined_component(const Hypotheses::Definition& definition,
+                                              const std::vector<Variable>& slots) {
+    std::map<Variable, Fraction> images;
+    for (const Variable v : variables(definition.value)) {
+      const Atom atom = workspace_.atoms[v];
+      if (atom.kind == Atom::Kind::symbol && atom.symbol->role != Symbol::Role::parameter) {
+        const std::optional<Rational> value = number(Polynomial::variable(v));
+        if (!value) return std::nullopt;
+        images.emplace(v, *value);
+      } else if (atom.kind == Atom::Kind::jet) {
+        std::vector<Variable> inner;
+        for (std::size_t k = 0; k < atom.arguments.size(); ++k)
+          inner.push_back(workspace_.atoms.slot(atom.symbol, static_cast<int>(k)));
+        std::optional<Polynomial> value = component(atom.symbol, atom.component, inner);
+        if (!value) return std::nullopt;
+        std::map<Variable, Fraction> arguments;
+        for (std::size_t k = 0; k < inner.size(); ++k) {
+          for (int order = 0; order < atom.orders[k]; ++order)
+            value = derivative(*value, inner[k]);
+          arguments.emplace(inner[k], atom.arguments[k]);
+        }
+        images.emplace(v, substituted(Fraction{*value}, arguments, workspace_.budget));
+      }
+    }
+    Fraction value = substituted(definition.value, images, workspace_.budget);
+    std::map<Variable, Fraction> rename;
+    for (std::size_t k = 0; k < slots.size(); ++k)
+      rename.emplace(definition.parameters[k], Fraction{Polynomial::variable(slots[k])});
+    value = substituted(value, rename, workspace_.budget);
+    if (!value.is_polynomial()) return std::nullopt;
+    const std::set<Variable> allowed{slots.begin(), slots.end()};
+    for (const Variable v : value.numerator().variables())
+      if (!allowed.contains(v)) return std::nullopt;
+    return value.numerator();
+  }
+
+  const Goal& goal_;
+  const Assignment& assigned_;
+  Hypotheses& hypotheses_;
+  Workspace& workspace_;
+  std::map<std::pair<unsigned, int>, Polynomial> functions_;
+};
+
+}  // namespace
+
+std::optional<Witness> witness_values(const Goal& goal, const Assignment& assignment,
+                                      Hypotheses& hypotheses, Workspace& workspace) {
+  return Values{goal, assignment, hypotheses, workspace}.collected();
+}
+
+}  // namespace patchproof

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <patchproof/claims/verification.hpp>
+#include <patchproof/language/lexer.hpp>
+#include <patchproof/language/parser.hpp>
+#include <tests/cases/mutation.hpp>
+
+namespace patchproof::test {
+
+namespace {
+
+std::optional<std::string> text_of(const std::string& path) {
+  std::ifstream file{path, std::ios::binary};
+  if (!file) return std::nullopt;
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+struct Part {
+  std::string claim;
+  Span span;
+};
+
+// The texts that state something true.
+std::vector<Part> true_parts(const syntax::File& file) {
+  std::vector<Part> result;
+  for (const syntax::Case& written : file.cases) {
+    for (const syntax::Statement& s : written.statements) {
+      using Kind = syntax::Statement::Kind;
+      if (!s.label) continue;
+      const std::string id = written.name.text + "." + s.label->text;
+      if (s.kind == Kind::prove) result.push_back({id, s.proposition.span});
+      if (s.kind == Kind::erratum) result.push_back({id + ".corrected", s.corrected.span});
+      if (s.kind != Kind::derive) continue;
+      result.push_back({id, s.proposition.span});
+      for (const auto& e : s.gives) result.push_back({id, e->span});
+    }
+  }
+  return result;
+}
+
+std::vector<std::string> replacements(const Token& token, const std::string& text) {
+  if (text == "+") return {"-"};
+  if (text == "-") return {"+"};
+  if (token.kind == Token::Kind::number && text.find('.') == std::string::npos && text.size() < 9)
+    return {std::to_string(std::stoi(text) + 1)};
+  if (token.kind != Token::Kind::name) return {};
+  const std::string base = text.substr(0, text.find('\''));
+  const char last = base.back();
+  if (last < '0' || last > '9' || base.size() < 2) return {};
+  std::string other = base;
+  other.back() = last == '1' ? '2' : '1';
+  return {other + text.substr(base.size())};
+}
+
+std::string described(const SourceText& source, const Part& part, const Token& token,
+                      const std::string& replacement) {
+  const std::size_t from = std::max(part.span.begin, token.begin < 24 ? 0 : token.begin - 24);
+  const std::size_t to = std::min(part.span.end, token.end + 24);
+  std::string around = source.text.substr(from, token.begin - from) + "{" +
+                       source.text.substr(token.begin, token.end - token.begin) + " -> " +
+                       replacement + "}" + source.text.substr(token.end, to - token.end);
+  std::replace(around.begin(), around.end(), '\n', ' ');
+  around.erase(std::unique(around.begin(), around.end(),
+                           [](char a, char b) { return a == ' ' && b == ' '; }),
+               around.end());
+  return part.claim + ": " + around;
+}
+
+ReadFile read(const SourceText& source) {
+  return read_cases(std::make_shared<const SourceText>(source), Limits{},
+                    [](const std::string& path) { return text_of(path); });
+}
+
+}  // namespace
+
+std::vector<SourceText> case_files() {
+  const std::filesystem::path root = std::filesystem::path{PATCHPROOF_SOURCE_FOLDER} / "cases";
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{root})
+    if (entry.path().extension() == ".proof") paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  std::vector<SourceText> result;
+  for (const std::string& path : paths) result.push_back({path, text_of(path).value()});
+  return result;
+}
+
+std::vector<Mutation> mutations(const SourceText& source) {
+  const auto shared = std::make_shared<const SourceText>(source);
+  const Parsed parsed = parse(shared);
+  const Lexed lexed = tokens_of(shared);
+  std::vector<Mutation> result;
+  for (const Part& part : true_parts(parsed.file)) {
+    for (const Token& token : lexed.tokens) {
+      if (token.begin < part.span.begin || token.end > part.span.end) continue;
+      const std::string text = source.text.substr(token.begin, token.end - token.begin);
+      for (const std::string& replacement : replacements(token, text))
+        result.push_back({part.claim, token.begin, token.end, replacement,
+                          described(source, part, token, replacement)});
+    }
+  }
+  return result;
+}
+
+bool is_caught(const SourceText& source, const Mutation& mutation) {
+  SourceText changed = source;
+  changed.text.replace(mutation.begin, mutation.end - mutation.begin, mutation.replacement);
+  const ReadFile file = read(changed);
+  if (!file.diagnostics.empty()) return true;
+  VerificationOptions options;
+  options.engines = Engines::kernel;
+  for (const Case& given : file.cases) {
+    if (mutation.claim.compare(0, given.name.size() + 1, given.name + ".") != 0) continue;
+    const std::string label = mutation.claim.substr(given.name.size() + 1);
+    // Claims further down may use what this one derives.
+    options.wanted = [&](const Claim& claim) {
+      return claim.label == label ||
+             std::any_of(claim.uses.begin(), claim.uses.end(),
+                         [&](const std::string& use) { return use == label; });
+    };
+    const CaseResult verdicts = verified(given, options);
+    if (std::any_of(verdicts.claims.begin(), verdicts.claims.end(), [](const ClaimResult& r) {
+          return r.outcome != Outcome::as_expected;
+        }))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace patchproof::test
