@@ -30,8 +30,8 @@ TEST_CASE("Without a loader nothing can be included", "[reject]") {
 }
 
 TEST_CASE("A path without a text is in the report as unreadable", "[reject]") {
-  const Report report = check({{"a.proof", std::nullopt, "Permission denied"},
-                               {"b.proof", squares, ""}});
+  const Report report =
+      check({{"a.proof", std::nullopt, "Permission denied"}, {"b.proof", squares, ""}});
   CHECK(mistakes(report) == "patchproof: cannot read 'a.proof': Permission denied\n");
   CHECK(report.files.back().cases.size() == 1);
 }

@@ -60,7 +60,8 @@ void say_what_is_empty(const FoundPaths& paths, const Selection& selection,
   for (const std::string& pattern : unmatched)
     print_error("patchproof: no claim matches --only '" + pattern + "'\n");
   const bool said = !paths.empty_folders.empty() || !unmatched.empty();
-  if (code == ExitCode::nothing_ran && !said) print_error("patchproof: there is no claim to decide\n");
+  if (code == ExitCode::nothing_ran && !said)
+    print_error("patchproof: there is no claim to decide\n");
 }
 
 Report decided_with_progress(const std::vector<CaseFile>& files, CheckOptions options,

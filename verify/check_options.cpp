@@ -53,10 +53,11 @@ void declare(CLI::App& command, CheckArguments& a) {
     return command.add_option(name, value, what)->option_text(type);
   };
   option("PATH", a.paths, "Case files, folders of *.proof, or - for standard input", "...");
-  option("--only", a.only,
-         "Only these claims: their ids, with or without [i=0], names of cases, or tag:NAME; * stands "
-         "for any characters; may be given several times",
-         "GLOB")
+  option(
+      "--only", a.only,
+      "Only these claims: their ids, with or without [i=0], names of cases, or tag:NAME; * stands "
+      "for any characters; may be given several times",
+      "GLOB")
       ->allow_extra_args(false);
   option("--format", a.format, "text (usual) or json", "FORMAT")
       ->check(CLI::IsMember(format_names()));
@@ -89,8 +90,7 @@ CheckOptions options_of(const CheckArguments& arguments) {
   options.engines = arguments.engines == "both" ? Engines::both : Engines::kernel;
   Limits& limits = options.limits;
   if (!arguments.seconds.empty()) limits.time = milliseconds(arguments.seconds);
-  if (!arguments.megabytes.empty())
-    limits.memory = std::stoull(arguments.megabytes) * 1'000'000;
+  if (!arguments.megabytes.empty()) limits.memory = std::stoull(arguments.megabytes) * 1'000'000;
   if (!arguments.steps.empty()) limits.steps = std::stoull(arguments.steps);
   if (!arguments.terms.empty()) limits.terms = std::stoull(arguments.terms);
   options.load = [](const std::string& path) { return file_text(path).text; };

@@ -56,15 +56,13 @@ std::string source_of(const syntax::Definition& definition) {
 }
 
 ExitCode show(const Library& library, const std::vector<std::string>& names) {
-  if (names.empty())
-    return print(list_of(library)) ? ExitCode::as_expected : ExitCode::unreadable;
+  if (names.empty()) return print(list_of(library)) ? ExitCode::as_expected : ExitCode::unreadable;
   std::string text;
   for (const std::string& name : names) {
     const syntax::Definition* definition = library.find(name);
     if (definition == nullptr) {
       const std::string help = did_you_mean(name, library.names());
-      throw UsageError{"there is no definition '" + name + "'" +
-                       (help.empty() ? "" : "; " + help)};
+      throw UsageError{"there is no definition '" + name + "'" + (help.empty() ? "" : "; " + help)};
     }
     text += (text.empty() ? "" : "\n") + source_of(*definition);
   }

@@ -90,7 +90,8 @@ std::string replace_file(const std::string& path, const std::string& text) {
   if (::stat(target.c_str(), &about) != 0) return system_words();
   // The folder alone would allow it, but whoever made the file read-only meant it.
   if (::access(target.c_str(), W_OK) != 0) return system_words();
-  std::string fresh = (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
+  std::string fresh =
+      (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
   const Descriptor file{::mkstemp(fresh.data())};
   if (file.value() < 0) return system_words();
   std::string problem = write_all(file.value(), text);

@@ -58,8 +58,9 @@ ExitCode run(const FormatArguments& arguments) {
 void add_format(CLI::App& program, ExitCode& result) {
   const auto arguments = std::make_shared<FormatArguments>();
   CLI::App* command = program.add_subcommand("fmt", "Put case files into their standard form");
-  command->add_option("PATH", arguments->paths,
-                      "Files, folders of *.proof, or - to filter standard input")
+  command
+      ->add_option("PATH", arguments->paths,
+                   "Files, folders of *.proof, or - to filter standard input")
       ->option_text("...");
   command->add_flag("--check", arguments->check,
                     "Change nothing; list the files that would change, and end with 1 if any");

@@ -54,17 +54,16 @@ CaseResult decided(const Case& given, const CheckOptions& options) {
 }  // namespace
 
 std::vector<CaseFile> read_files(const std::vector<Input>& inputs, const CheckOptions& options) {
-  const Loader load = options.load ? options.load : [](const std::string&) {
-    return std::optional<std::string>{};
-  };
+  const Loader load =
+      options.load ? options.load : [](const std::string&) { return std::optional<std::string>{}; };
   std::vector<CaseFile> files;
   CaseNames names;
   for (const Input& input : inputs) {
     CaseFile file{input.path, input.unreadable, {}, {}};
     if (input.text) {
-      ReadFile found = read_cases(
-          std::make_shared<const SourceText>(SourceText{input.path, *input.text}), options.limits,
-          load);
+      ReadFile found =
+          read_cases(std::make_shared<const SourceText>(SourceText{input.path, *input.text}),
+                     options.limits, load);
       file.diagnostics = std::move(found.diagnostics);
       file.cases = std::move(found.cases);
       names.keep_new(file);

@@ -61,7 +61,8 @@ struct CheckOptions {
 
 /// Reads the cases of all inputs, in their order. A case whose name another file has already used
 /// is left out, with a diagnostic.
-std::vector<CaseFile> read_files(const std::vector<Input>& inputs, const CheckOptions& options = {});
+std::vector<CaseFile> read_files(const std::vector<Input>& inputs,
+                                 const CheckOptions& options = {});
 
 /// Decides the cases read.
 Report decided(const std::vector<CaseFile>& files, const CheckOptions& options = {});

@@ -51,8 +51,8 @@ Ended run_program(const TemporaryFolder& folder, const std::vector<std::string>&
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, passed.path("input").c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, output.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_addopen(&actions, 2, passed.path("errors").c_str(),
-                                   O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addopen(&actions, 2, passed.path("errors").c_str(), O_WRONLY | O_CREAT,
+                                   0600);
   posix_spawn_file_actions_addchdir_np(&actions, folder.path("").c_str());
   pid_t child = 0;
   const int problem =

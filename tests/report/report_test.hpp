@@ -11,7 +11,8 @@ namespace patchproof {
 /// A text the claims of these tests are written in; nothing is decided here.
 inline std::shared_ptr<const SourceText> written_text() {
   static const auto text = std::make_shared<const SourceText>(SourceText{
-      "a.proof", "case a\n  scalar x, y\n  prove  one: x == y\n  prove  two: x ==\n      y\nend\n"});
+      "a.proof",
+      "case a\n  scalar x, y\n  prove  one: x == y\n  prove  two: x ==\n      y\nend\n"});
   return text;
 }
 

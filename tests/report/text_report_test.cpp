@@ -50,10 +50,11 @@ TEST_CASE("A statement of several lines is shown whole") {
   ClaimResult result = refuted("two");
   result.claim.statement = span_of("x ==\n      y");
   const std::string text = text_of(report_of({result}), Verbosity::quiet);
-  CHECK(text.starts_with("a.proof:4:15: a.two: expected PROVED, found REFUTED\n"
-                         "     4 |   prove  two: x ==\n"
-                         "     5 |       y\n"
-                         "       = left - right: x - y\n"));
+  CHECK(
+      text.starts_with("a.proof:4:15: a.two: expected PROVED, found REFUTED\n"
+                       "     4 |   prove  two: x ==\n"
+                       "     5 |       y\n"
+                       "       = left - right: x - y\n"));
 }
 
 TEST_CASE("A quiet report has no lines for what is as expected") {
@@ -64,8 +65,8 @@ TEST_CASE("A quiet report has no lines for what is as expected") {
 TEST_CASE("Instances of a family with one answer share a line") {
   std::vector<ClaimResult> claims;
   for (int i = 0; i < 36; ++i)
-    claims.push_back(result_of("south", Expectation::prove, Verdict::proved,
-                               "[i=" + std::to_string(i) + "]"));
+    claims.push_back(
+        result_of("south", Expectation::prove, Verdict::proved, "[i=" + std::to_string(i) + "]"));
   CHECK(text_of(report_of(claims)) ==
         "  a.south  PROVED  (36 instances)\n"
         "\n"
@@ -81,10 +82,17 @@ TEST_CASE("Instances of a family with one answer share a line") {
         "     3 |   prove  one: x == y\n"
         "       |               ^^^^^^\n"
         "       = reason: limit: more than 5 steps\n"
-        "       = help: allow more with --limit-time, --limit-memory, --limit-terms or --limit-steps, "
+        "       = help: allow more with --limit-time, --limit-memory, --limit-terms or "
+        "--limit-steps, "
         "or with 'limit' in the case\n"
         "\n"
         "36 claims in 1 case: 35 as expected (35 proved), 1 unknown\n");
+  claims[9].decision = claims[7].decision;
+  claims[9].outcome = Outcome::unknown;
+  CHECK(text_of(report_of(claims))
+            .starts_with("  a.south       PROVED  (34 instances)\n"
+                         "! a.south[i=7]  UNKNOWN: limit: more than 5 steps\n"
+                         "! a.south[i=9]  UNKNOWN: limit: more than 5 steps\n"));
 }
 
 TEST_CASE("Conditions are told, and in a strict report also how to state them") {

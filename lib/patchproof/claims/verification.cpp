@@ -40,7 +40,23 @@ struct Handed {
   std::vector<std::string> conditions;
   bool solved = false;
 };
-using Derivations = std::map<std::string, Handed>;
+/// Label -> instance -> what was derived there.
+using Derivations = std::map<std::string, std::map<std::string, Handed>>;
+
+// The derivation of the same instance, or of the family instance this one belongs to.
+const Handed* derivation_for(const std::string& label, const std::string& instance,
+                             const Derivations& derivations) {
+  const auto found = derivations.find(label);
+  if (found == derivations.end()) return nullptr;
+  for (std::string outer = instance; !outer.empty();) {
+    const auto handed = found->second.find(outer);
+    if (handed != found->second.end()) return &handed->second;
+    const std::size_t comma = outer.rfind(',');
+    outer = comma == std::string::npos ? "" : outer.substr(0, comma) + "]";
+  }
+  const auto handed = found->second.find("");
+  return handed == found->second.end() ? nullptr : &handed->second;
+}
 
 Decision decide_identity(const IdentityClaim& claim, const std::vector<KnownValue>& known,
                          const Case& given, Engines engines) {
@@ -61,15 +77,13 @@ Decision decide(const Claim& claim, const Derivations& derivations, const Case& 
   std::vector<KnownValue> known;
   std::vector<std::string> conditions;
   for (const std::string& label : claim.uses) {
-    const auto found = derivations.find(label + claim.instance);
-    const auto whole = derivations.find(label);
-    const auto& derivation = found != derivations.end() ? found : whole;
-    if (derivation == derivations.end() || !derivation->second.solved) {
+    const Handed* found = derivation_for(label, claim.instance, derivations);
+    if (found == nullptr || !found->solved) {
       Decision undecided;
       undecided.reason = "it uses '" + label + "', which is not derived";
       return undecided;
     }
-    const Handed& handed = derivation->second;
+    const Handed& handed = *found;
     known.insert(known.end(), handed.values.begin(), handed.values.end());
     conditions.insert(conditions.end(), handed.conditions.begin(), handed.conditions.end());
   }
@@ -105,7 +119,7 @@ CaseResult verified(const Case& given, const VerificationOptions& options) {
     if (claim.verb == "derive") {
       const bool solved =
           decision.verdict == Verdict::proved || decision.verdict == Verdict::proved_if;
-      derivations[claim.label + claim.instance] = {decision.solution, decision.conditions, solved};
+      derivations[claim.label][claim.instance] = {decision.solution, decision.conditions, solved};
     }
     if (wanted) result.claims.push_back(std::move(decided_claim));
   }

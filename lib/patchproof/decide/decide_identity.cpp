@@ -39,7 +39,7 @@ class Identity {
   Decision proof(const Finding& found) {
     Decision result;
     if (const std::string doubt = inconsistency(found.conditions); !doubt.empty()) {
-      result.reason = "the assumptions were not shown to be consistent: " + doubt;
+      result.reason = "no values are known for which all assumptions and conditions hold: " + doubt;
       return result;
     }
     result.verdict = found.conditions.empty() ? Verdict::proved : Verdict::proved_if;
@@ -49,9 +49,10 @@ class Identity {
     return result;
   }
 
-  // Why no values are known that satisfy all assumptions; "" when there are some.
+  // Why no values are known that satisfy all assumptions and conditions; "" when there are some.
+  // Without that a proof may be about nothing at all.
   std::string inconsistency(const Conditions& conditions) {
-    if (goal_.assumptions.empty()) return "";
+    if (goal_.assumptions.empty() && conditions.empty()) return "";
     std::string why = "no example was found";
     WitnessTarget target;
     add(conditions, target);

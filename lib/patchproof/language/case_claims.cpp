@@ -153,6 +153,7 @@ Goal CaseElaborator::goal_of(const syntax::Proposition& proposition, const Scope
   for (const syntax::Comparison& comparison : proposition.comparisons)
     add_comparison(comparison, scope, goal);
   if (proposition.joint) add_joint(*proposition.joint, scope, goal);
+  for (const syntax::Joint& joint : proposition.further_joints) add_joint(joint, scope, goal);
   return goal;
 }
 
@@ -260,7 +261,7 @@ void CaseElaborator::claim(const syntax::Statement& statement, Case& result) {
   const auto& binders = statement.clauses.binders;
   const std::size_t before = result.claims.size();
   try {
-    for (const std::vector<int>& values : elaborator_.combinations(binders, scope_)) {
+    for (const std::vector<int>& values : elaborator_.combinations(binders, scope_, most_instances)) {
       std::string instance;
       for (std::size_t k = 0; k < binders.size(); ++k)
         instance += (instance.empty() ? "" : ",") + binders[k].name.text + "=" +

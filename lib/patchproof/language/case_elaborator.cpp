@@ -81,7 +81,7 @@ Case elaborated(const syntax::Case& written, const Library& library, const Limit
   try {
     Workshop workshop;
     Elaborator elaborator{library, workshop};
-    instances = elaborator.combinations(family, Scope{});
+    instances = elaborator.combinations(family, Scope{}, most_instances);
   } catch (const Fault& fault) {
     diagnostics.push_back(fault.diagnostic);
     return result;

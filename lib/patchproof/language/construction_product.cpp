@@ -8,7 +8,7 @@ namespace patchproof {
 
 namespace {
 
-constexpr std::size_t longest_number_bits = 1'000'000;
+constexpr std::size_t longest_number_bits = 100'000;
 
 bool has_parameters(const Term& term) {
   for (const auto& [ordinal, symbol] : free_symbols(term))

@@ -10,8 +10,6 @@ namespace patchproof {
 
 namespace {
 
-constexpr std::size_t most_combinations = 100'000;
-
 // "uuv" as orders in the parameters (u, v); empty when it is not made of their names.
 std::optional<Indices> orders_of(std::string_view suffix,
                                  const std::vector<std::string>& parameters) {
@@ -91,7 +89,7 @@ std::pair<int, int> Elaborator::interval(const syntax::Interval& i, const Scope&
 }
 
 std::vector<std::vector<int>> Elaborator::combinations(const std::vector<syntax::Binder>& binders,
-                                                       const Scope& scope) {
+                                                       const Scope& scope, std::size_t most) {
   std::vector<std::vector<int>> result{{}};
   for (const syntax::Binder& binder : binders) {
     const auto [first, last] = interval(binder.interval, scope);
@@ -99,8 +97,8 @@ std::vector<std::vector<int>> Elaborator::combinations(const std::vector<syntax:
       throw Fault{binder.name.span, "'" + binder.name.text + "' runs over the empty span " +
                                         std::to_string(first) + ".." + std::to_string(last)};
     const auto count = static_cast<std::size_t>(last - first) + 1;
-    if (result.size() * count > most_combinations)
-      throw Fault{binder.name.span, "more than " + std::to_string(most_combinations) +
+    if (result.size() * count > most)
+      throw Fault{binder.name.span, "more than " + std::to_string(most) +
                                         " combinations of the running indices"};
     std::vector<std::vector<int>> longer;
     for (const std::vector<int>& values : result) {

@@ -9,6 +9,9 @@
 
 namespace patchproof {
 
+/// How many instances a family of claims may have.
+inline constexpr std::size_t most_instances = 4096;
+
 /// Gives meaning to expressions: names are looked up, definitions expanded, types checked.
 ///
 /// What is wrong is thrown as Fault; FollowUp when a name's own declaration was wrong.
@@ -25,9 +28,10 @@ class Elaborator {
   /// `first..last` with both ends known beforehand.
   std::pair<int, int> interval(const syntax::Interval& interval, const Scope& scope);
 
-  /// All combinations of values of the binders, the last one running fastest.
+  /// All combinations of values of the binders, the last one running fastest; Fault for more than
+  /// `most`.
   std::vector<std::vector<int>> combinations(const std::vector<syntax::Binder>& binders,
-                                             const Scope& scope);
+                                             const Scope& scope, std::size_t most = 100'000);
   static Scope bound(const Scope& scope, const std::vector<syntax::Binder>& binders,
                      const std::vector<int>& values);
 

@@ -12,10 +12,13 @@ std::string with_code(const std::string& text, const std::string& code) {
 
 std::string coloured(const std::string& text, Outcome outcome) {
   switch (outcome) {
-    case Outcome::as_expected: return with_code(text, "32");
+    case Outcome::as_expected:
+      return with_code(text, "32");
     case Outcome::unknown:
-    case Outcome::vacuous: return with_code(text, "33");
-    default: return with_code(text, "31");
+    case Outcome::vacuous:
+      return with_code(text, "33");
+    default:
+      return with_code(text, "31");
   }
 }
 

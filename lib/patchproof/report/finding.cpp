@@ -17,12 +17,18 @@ std::string joined(const std::vector<std::string>& parts) {
 
 std::string sign_of(Relation relation) {
   switch (relation) {
-    case Relation::equal: return "==";
-    case Relation::not_equal: return "!=";
-    case Relation::less: return "<";
-    case Relation::less_equal: return "<=";
-    case Relation::greater: return ">";
-    default: return ">=";
+    case Relation::equal:
+      return "==";
+    case Relation::not_equal:
+      return "!=";
+    case Relation::less:
+      return "<";
+    case Relation::less_equal:
+      return "<=";
+    case Relation::greater:
+      return ">";
+    default:
+      return ">=";
   }
 }
 
@@ -35,14 +41,30 @@ class Notes {
   std::string text() {
     switch (decision_.verdict) {
       case Verdict::proved:
-      case Verdict::proved_if: proved(); break;
-      case Verdict::refuted: refuted(); break;
-      case Verdict::underdetermined: underdetermined(); break;
-      case Verdict::inconsistent: inconsistent(); break;
-      case Verdict::vacuous: vacuous(); break;
-      case Verdict::unknown: unknown(); break;
-      case Verdict::error: error(); break;
-      case Verdict::internal: internal(); break;
+      case Verdict::proved_if:
+        proved();
+        break;
+      case Verdict::refuted:
+        refuted();
+        break;
+      case Verdict::underdetermined:
+        underdetermined();
+        break;
+      case Verdict::inconsistent:
+        inconsistent();
+        break;
+      case Verdict::vacuous:
+        vacuous();
+        break;
+      case Verdict::unknown:
+        unknown();
+        break;
+      case Verdict::error:
+        error();
+        break;
+      case Verdict::internal:
+        internal();
+        break;
     }
     note("note", printable(claim_.note));
     return text_;
@@ -80,8 +102,8 @@ class Notes {
     note("right side", witness.right);
     derived();
     if (claim_.expectation == Expectation::open)
-      note("help", "the statement is false: write 'refute " + claim_.label +
-                       ": ...' in place of 'open'");
+      note("help",
+           "the statement is false: write 'refute " + claim_.label + ": ...' in place of 'open'");
   }
 
   // A claim may consist of several statements, of which a person sees only the abbreviation.
@@ -109,8 +131,9 @@ class Notes {
 
   void inconsistent() {
     note("reason", printable(decision_.reason));
-    note("help", "no value satisfies the equations; if that is meant, write 'inconsistent' in "
-                 "place of 'gives ...'");
+    note("help",
+         "no value satisfies the equations; if that is meant, write 'inconsistent' in "
+         "place of 'gives ...'");
   }
 
   void vacuous() {
@@ -121,8 +144,9 @@ class Notes {
   void unknown() {
     note("reason", printable(decision_.reason));
     if (decision_.reason.starts_with("limit: "))
-      note("help", "allow more with --limit-time, --limit-memory, --limit-terms or --limit-steps, "
-                   "or with 'limit' in the case");
+      note("help",
+           "allow more with --limit-time, --limit-memory, --limit-terms or --limit-steps, "
+           "or with 'limit' in the case");
   }
 
   // The place is often inside a definition, far from the claim.

@@ -115,7 +115,8 @@ std::string json_report(const Report& report, const ReportStyle& /*style*/) {
   for (const FileReport& file : report.files) {
     if (!file.unreadable.empty())
       unreadable.push_back({{"path", file.path}, {"message", file.unreadable}});
-    for (const Diagnostic& diagnostic : file.diagnostics) diagnostics.push_back(to_json(diagnostic));
+    for (const Diagnostic& diagnostic : file.diagnostics)
+      diagnostics.push_back(to_json(diagnostic));
     for (const CaseResult& result : file.cases) {
       for (const ClaimResult& claim : result.claims)
         claims.push_back(to_json(result.verified, claim));

@@ -11,11 +11,16 @@ ExitCode code_of(const ClaimResult& result, bool strict) {
   switch (result.outcome) {
     case Outcome::as_expected:
       return needs_attention(result, strict) ? ExitCode::conditional : ExitCode::as_expected;
-    case Outcome::wrong: return ExitCode::wrong;
-    case Outcome::unknown: return ExitCode::unknown;
-    case Outcome::vacuous: return ExitCode::conditional;
-    case Outcome::error: return ExitCode::unreadable;
-    default: return ExitCode::internal;
+    case Outcome::wrong:
+      return ExitCode::wrong;
+    case Outcome::unknown:
+      return ExitCode::unknown;
+    case Outcome::vacuous:
+      return ExitCode::conditional;
+    case Outcome::error:
+      return ExitCode::unreadable;
+    default:
+      return ExitCode::internal;
   }
 }
 
@@ -31,10 +36,9 @@ bool needs_attention(const ClaimResult& result, bool strict) {
 }
 
 ExitCode graver(ExitCode a, ExitCode b) {
-  constexpr std::array by_gravity{ExitCode::internal,    ExitCode::usage,   ExitCode::unreadable,
-                                  ExitCode::wrong,       ExitCode::conditional,
-                                  ExitCode::unknown,     ExitCode::nothing_ran,
-                                  ExitCode::as_expected};
+  constexpr std::array by_gravity{
+      ExitCode::internal,    ExitCode::usage,   ExitCode::unreadable,  ExitCode::wrong,
+      ExitCode::conditional, ExitCode::unknown, ExitCode::nothing_ran, ExitCode::as_expected};
   return *std::find_if(by_gravity.begin(), by_gravity.end(),
                        [&](ExitCode code) { return code == a || code == b; });
 }

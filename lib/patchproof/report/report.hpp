@@ -35,14 +35,14 @@ bool needs_attention(const ClaimResult& result, bool strict);
 
 /// What the program ends with.
 enum class ExitCode {
-  as_expected = 0,   ///< at least one claim was decided, and each as expected
-  wrong = 1,         ///< some verdict is not the expected one
-  unknown = 2,       ///< some claim could not be decided
-  conditional = 3,   ///< contradictory assumptions, or conditions in a strict report
-  unreadable = 4,    ///< some file, case or claim cannot be read, or the report not be written
-  nothing_ran = 5,   ///< there was no claim
-  usage = 64,        ///< the command line is wrong
-  internal = 70,     ///< a fault of this program
+  as_expected = 0,  ///< at least one claim was decided, and each as expected
+  wrong = 1,        ///< some verdict is not the expected one
+  unknown = 2,      ///< some claim could not be decided
+  conditional = 3,  ///< contradictory assumptions, or conditions in a strict report
+  unreadable = 4,   ///< some file, case or claim cannot be read, or the report not be written
+  nothing_ran = 5,  ///< there was no claim
+  usage = 64,       ///< the command line is wrong
+  internal = 70,    ///< a fault of this program
 };
 
 /// The graver of two: 70 before 64, 4, 1, 3, 2, 5 and 0.

@@ -26,12 +26,18 @@ std::string in_words(const std::map<Verdict, std::size_t>& verdicts) {
 
 std::string in_words(Outcome outcome, std::size_t count) {
   switch (outcome) {
-    case Outcome::as_expected: return std::to_string(count) + " as expected";
-    case Outcome::wrong: return std::to_string(count) + " wrong";
-    case Outcome::unknown: return std::to_string(count) + " unknown";
-    case Outcome::vacuous: return std::to_string(count) + " vacuous";
-    case Outcome::error: return counted(count, "error", "errors");
-    default: return counted(count, "internal error", "internal errors");
+    case Outcome::as_expected:
+      return std::to_string(count) + " as expected";
+    case Outcome::wrong:
+      return std::to_string(count) + " wrong";
+    case Outcome::unknown:
+      return std::to_string(count) + " unknown";
+    case Outcome::vacuous:
+      return std::to_string(count) + " vacuous";
+    case Outcome::error:
+      return counted(count, "error", "errors");
+    default:
+      return counted(count, "internal error", "internal errors");
   }
 }
 
@@ -39,12 +45,18 @@ std::string in_words(Outcome outcome, std::size_t count) {
 
 std::string to_text(Outcome outcome) {
   switch (outcome) {
-    case Outcome::as_expected: return "as_expected";
-    case Outcome::wrong: return "wrong";
-    case Outcome::unknown: return "unknown";
-    case Outcome::vacuous: return "vacuous";
-    case Outcome::error: return "error";
-    default: return "internal";
+    case Outcome::as_expected:
+      return "as_expected";
+    case Outcome::wrong:
+      return "wrong";
+    case Outcome::unknown:
+      return "unknown";
+    case Outcome::vacuous:
+      return "vacuous";
+    case Outcome::error:
+      return "error";
+    default:
+      return "internal";
   }
 }
 
@@ -68,8 +80,8 @@ Summary summary_of(const Report& report) {
 }
 
 std::string in_words(const Summary& summary) {
-  std::string text = counted(summary.claims, "claim", "claims") + " in " +
-                     counted(summary.cases, "case", "cases");
+  std::string text =
+      counted(summary.claims, "claim", "claims") + " in " + counted(summary.cases, "case", "cases");
   std::string separator = ": ";
   const auto add = [&](const std::string& part) {
     text += separator + part;

@@ -38,21 +38,29 @@ bool is_zero(const std::string& value) {
 std::string verdict_line(const Decision& decision) {
   const std::string verdict = to_text(decision.verdict);
   switch (decision.verdict) {
-    case Verdict::proved_if: return cut(verdict + " " + joined(decision.conditions, " and "));
-    case Verdict::underdetermined: return cut(verdict + ": free " + joined(decision.free, ", "));
+    case Verdict::proved_if:
+      return cut(verdict + " " + joined(decision.conditions, " and "));
+    case Verdict::underdetermined:
+      return cut(verdict + ": free " + joined(decision.free, ", "));
     case Verdict::unknown:
     case Verdict::error:
-    case Verdict::internal: return cut(verdict + ": " + printable(decision.reason));
-    default: return verdict;
+    case Verdict::internal:
+      return cut(verdict + ": " + printable(decision.reason));
+    default:
+      return verdict;
   }
 }
 
 std::string expected_verdict(Expectation expectation) {
   switch (expectation) {
-    case Expectation::prove: return to_text(Verdict::proved);
-    case Expectation::refute: return to_text(Verdict::refuted);
-    case Expectation::open: return to_text(Verdict::unknown);
-    default: return to_text(Verdict::inconsistent);
+    case Expectation::prove:
+      return to_text(Verdict::proved);
+    case Expectation::refute:
+      return to_text(Verdict::refuted);
+    case Expectation::open:
+      return to_text(Verdict::unknown);
+    default:
+      return to_text(Verdict::inconsistent);
   }
 }
 
