@@ -78,6 +78,15 @@ ReadFile read(const SourceText& source) {
 
 }  // namespace
 
+std::vector<SourceText> single_cases(const SourceText& file) {
+  std::vector<SourceText> result;
+  const Parsed parsed = parse(std::make_shared<const SourceText>(file));
+  for (const syntax::Case& written : parsed.file.cases)
+    result.push_back({file.name, file.text.substr(written.span.begin,
+                                                  written.span.end - written.span.begin)});
+  return result;
+}
+
 std::vector<SourceText> case_files() {
   const std::filesystem::path root = std::filesystem::path{PATCHPROOF_SOURCE_FOLDER} / "cases";
   std::vector<std::string> paths;

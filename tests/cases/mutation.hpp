@@ -26,6 +26,10 @@ std::vector<Mutation> mutations(const SourceText& source);
 /// not as expected.
 bool is_caught(const SourceText& source, const Mutation& mutation);
 
+/// Each case of a file as a text of its own, so that checking one change reads one case only. The
+/// files of cases/ have no definitions of their own.
+std::vector<SourceText> single_cases(const SourceText& file);
+
 /// The files below cases/, by path, as the program reads them.
 std::vector<SourceText> case_files();
 

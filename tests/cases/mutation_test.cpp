@@ -26,25 +26,36 @@ std::map<std::string, std::string> explained_survivors() {
 
 }  // namespace
 
+// All changes take minutes under the sanitizers, which only have to see the code run.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::size_t every = 40;
+#else
+constexpr std::size_t every = 1;
+#endif
+
 TEST_CASE("changing one sign, number or index of a true claim of cases/ is noticed") {
   const std::map<std::string, std::string> explained = explained_survivors();
   std::size_t count = 0;
+  std::size_t tried = 0;
   std::set<std::string> survivors;
-  for (const SourceText& source : case_files()) {
-    for (const Mutation& mutation : mutations(source)) {
-      ++count;
-      if (!is_caught(source, mutation)) survivors.insert(mutation.description);
+  for (const SourceText& file : case_files()) {
+    for (const SourceText& source : single_cases(file)) {
+      for (const Mutation& mutation : mutations(source)) {
+        if (++count % every != 0) continue;
+        ++tried;
+        if (!is_caught(source, mutation)) survivors.insert(mutation.description);
+      }
     }
   }
-  WARN(count << " changes, " << survivors.size() << " not noticed, all explained in survivors.txt");
+  WARN(tried << " of " << count << " changes tried, " << survivors.size() << " not noticed");
   CHECK(count >= 200);
   for (const std::string& survivor : survivors) {
-    INFO(survivor);
+    INFO("not noticed and not explained in survivors.txt: " << survivor);
     CHECK(explained.count(survivor) == 1);
   }
   for (const auto& [description, why] : explained) {
     INFO("explained, but noticed after all or gone: " << description);
-    CHECK(survivors.count(description) == 1);
+    CHECK((every > 1 || survivors.count(description) == 1));
     CHECK(!why.empty());
   }
 }

@@ -72,7 +72,8 @@ TEST_CASE("a message shows place, line, caret and help", "[language]") {
 }
 
 TEST_CASE("a long line is cut to a window around the caret", "[language]") {
-  const std::string line = std::string(300, 'a') + "b" + std::string(300, 'c');
+  std::string line(300, 'a');
+  line.append("b").append(300, 'c');
   CHECK(to_text(at(line, 300, 301)) ==
         "bad.proof:1:301: error: wrong\n"
         "     1 | ..." +

@@ -163,11 +163,11 @@ bool is_solved(const Decision& decision) {
 
 // Whether what the solution is said to be is what it is; also shows the assumptions consistent.
 Decision compared(Decision solution, const SolveGoal& goal, const std::vector<Statement>& gives,
-                  const Limits& limits) {
+                  const Limits& limits, Engines engines) {
   Goal claim = goal.goal;
   claim.statements = gives;
   claim.known.insert(claim.known.end(), solution.solution.begin(), solution.solution.end());
-  const Decision comparison = decided(claim, limits, Engines::kernel);
+  const Decision comparison = decided(claim, limits, engines);
   if (comparison.verdict == Verdict::proved) {
     solution.assumptions_used = comparison.assumptions_used;
     return solution;
@@ -182,6 +182,7 @@ Decision compared(Decision solution, const SolveGoal& goal, const std::vector<St
         solution.conditions.end());
     return solution;
   }
+  // Not what it is said to be; the second engine then was asked about the comparison.
   Decision result = comparison;
   result.derived = solution.derived;
   result.free = solution.free;
@@ -227,7 +228,7 @@ Decision solved(const SolveGoal& goal, const std::vector<Statement>& gives,
     result.reason = "the solution is not a combination of points";
     return result;
   }
-  result = compared(std::move(result), complete, gives, limits);
+  result = compared(std::move(result), complete, gives, limits, engines);
   return engines == Engines::both
              ? with_second_opinion(std::move(result), complete, gives, leaves, limits)
              : result;

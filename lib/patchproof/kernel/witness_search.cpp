@@ -35,7 +35,8 @@ class Search {
         target_{target},
         hypotheses_{hypotheses},
         workspace_{workspace},
-        candidates_{candidates(attempt)} {}
+        candidates_{candidates(attempt)},
+        known_{static_cast<Variable>(workspace.atoms.size())} {}
 
   std::optional<Witness> run() {
     for (const Polynomial& p : target_.not_zero) state_.push_back({p, Kind::not_zero});
@@ -44,7 +45,7 @@ class Search {
     for (const auto& i : target_.inequalities) add_inequality(i);
     for (const auto& i : hypotheses_.facts().inequalities()) add_inequality(i);
     if (!assign()) return std::nullopt;
-    return witness_values(goal_, assigned_, hypotheses_, workspace_);
+    return witness_values(goal_, assigned_, known_, hypotheses_, workspace_);
   }
 
  private:
@@ -159,6 +160,8 @@ class Search {
   Hypotheses& hypotheses_;
   Workspace& workspace_;
   std::vector<Rational> candidates_;
+  /// Variables from here on are made while searching.
+  Variable known_;
   State state_;
   std::vector<std::pair<Variable, Rational>> assigned_;
   int tried_ = 0;

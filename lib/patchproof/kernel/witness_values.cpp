@@ -23,8 +23,13 @@ namespace {
 
 class Values {
  public:
-  Values(const Goal& goal, const Assignment& assigned, Hypotheses& hypotheses, Workspace& workspace)
-      : goal_{goal}, assigned_{assigned}, hypotheses_{hypotheses}, workspace_{workspace} {}
+  Values(const Goal& goal, const Assignment& assigned, Variable known, Hypotheses& hypotheses,
+         Workspace& workspace)
+      : goal_{goal},
+        assigned_{assigned},
+        known_{known},
+        hypotheses_{hypotheses},
+        workspace_{workspace} {}
 
   std::optional<Witness> collected() {
     Witness witness;
@@ -91,6 +96,11 @@ class Values {
     return polynomial_function(components, symbol->type, slots);
   }
 
+  bool matters(Variable v) const {
+    return v < known_ || std::any_of(assigned_.begin(), assigned_.end(),
+                                     [&](const auto& value) { return value.first == v; });
+  }
+
   // The unknown function as a polynomial in its slots, through all the values it must have.
   std::optional<Polynomial> component(const SymbolPointer& symbol, int c,
                                       const std::vector<Variable>& slots) {
@@ -106,7 +116,7 @@ class Values {
     for (Variable v = 0; v < workspace_.atoms.size(); ++v) {
       const Atom atom = workspace_.atoms[v];
       if (atom.kind != Atom::Kind::jet || atom.symbol->ordinal != symbol->ordinal ||
-          atom.component != c)
+          atom.component != c || !matters(v))
         continue;
       Prescription p{atom.orders, {}, 0};
       bool numeric = true;
@@ -170,6 +180,7 @@ class Values {
 
   const Goal& goal_;
   const Assignment& assigned_;
+  Variable known_;
   Hypotheses& hypotheses_;
   Workspace& workspace_;
   std::map<std::pair<unsigned, int>, Polynomial> functions_;
@@ -178,8 +189,9 @@ class Values {
 }  // namespace
 
 std::optional<Witness> witness_values(const Goal& goal, const Assignment& assignment,
-                                      Hypotheses& hypotheses, Workspace& workspace) {
-  return Values{goal, assignment, hypotheses, workspace}.collected();
+                                      Variable known, Hypotheses& hypotheses,
+                                      Workspace& workspace) {
+  return Values{goal, assignment, known, hypotheses, workspace}.collected();
 }
 
 }  // namespace patchproof

@@ -20,7 +20,11 @@ Fraction with_value(const Fraction& fraction, Variable variable, const Rational&
 
 /// Numbers, points and polynomials for everything the goal speaks of, as the assignment and the
 /// hypotheses fix them; what they leave open is zero. Empty when they are not rational.
+///
+/// Functions go through their values at the variables before `known`, and at those assigned; later
+/// ones belong to values that were tried and given up.
 std::optional<Witness> witness_values(const Goal& goal, const Assignment& assignment,
-                                      Hypotheses& hypotheses, Workspace& workspace);
+                                      Variable known, Hypotheses& hypotheses,
+                                      Workspace& workspace);
 
 }  // namespace patchproof

@@ -67,6 +67,27 @@ class Includer {
   std::set<std::string> done_;
 };
 
+// Where a declaration could not be read, the names it would have declared are missing further down;
+// complaining about those too would only confuse.
+void forget_unknown_names(std::vector<Diagnostic>& diagnostics, std::size_t from) {
+  const auto unknown = [](const Diagnostic& d) {
+    return d.message.rfind("unknown name", 0) == 0 || d.message.rfind("'using' needs", 0) == 0;
+  };
+  diagnostics.erase(std::remove_if(diagnostics.begin() + static_cast<std::ptrdiff_t>(from),
+                                   diagnostics.end(), unknown),
+                    diagnostics.end());
+}
+
+// In the order of the text; of very many only the first, and how many more there are.
+std::vector<Diagnostic> readable(std::vector<Diagnostic> diagnostics) {
+  const std::size_t all = in_order(diagnostics, diagnostics.size()).size();
+  std::vector<Diagnostic> result = in_order(std::move(diagnostics));
+  if (all > result.size() && !result.empty())
+    result.push_back({result.back().span,
+                      "and " + std::to_string(all - result.size()) + " more mistakes", ""});
+  return result;
+}
+
 }  // namespace
 
 ReadFile read_cases(std::shared_ptr<const SourceText> source, const Limits& limits,
@@ -95,8 +116,9 @@ ReadFile read_cases(std::shared_ptr<const SourceText> source, const Limits& limi
         });
     if (result.diagnostics.size() == before && !in_faulty_text)
       result.cases.push_back(std::move(read));
+    if (in_faulty_text) forget_unknown_names(result.diagnostics, before);
   }
-  result.diagnostics = in_order(std::move(result.diagnostics));
+  result.diagnostics = readable(std::move(result.diagnostics));
   return result;
 }
 
