@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include <patchproof/language/builtin_call.hpp>
 #include <patchproof/language/builtin_splines.hpp>
 #include <patchproof/language/nearest_name.hpp>
 
@@ -10,48 +11,8 @@ namespace patchproof {
 
 namespace {
 
-using syntax::Argument;
 using syntax::Expression;
-
-// One call of a builtin: its arguments, and what is needed to read them.
-struct Call {
-  const Expression& expression;
-  const Scope& scope;
-  Elaborator& elaborator;
-
-  const Span& span() const { return expression.span; }
-  Construction& construct() const { return elaborator.construct(); }
-  std::size_t count() const { return expression.arguments.size(); }
-
-  Term term(std::size_t k) const {
-    const Argument& argument = expression.arguments.at(k);
-    if (!argument.value) throw Fault{span(), "a running index is not expected here"};
-    return elaborator.expression(*argument.value, scope);
-  }
-  Term value(std::size_t k) const { return decayed(construct().value(scope, term(k))); }
-  Term scalar(std::size_t k, const std::string& what) const {
-    return construct().scalar(scope, term(k), what);
-  }
-  int whole(std::size_t k, const std::string& what) const {
-    return static_cast<int>(construct().whole_number(term(k), what));
-  }
-  Term matrix(std::size_t k) const {
-    const Term result = term(k);
-    if (!result.type().is_matrix())
-      throw Fault{result.span(), "a matrix, net or list is needed here, not a " +
-                                     to_text(result.type())};
-    return result;
-  }
-  std::vector<syntax::Binder> binders(std::size_t from) const {
-    std::vector<syntax::Binder> result;
-    for (std::size_t k = from; k < count(); ++k) {
-      if (!expression.arguments[k].binder)
-        throw Fault{span(), "a running index is needed here, as in 'i in 0..3'"};
-      result.push_back(*expression.arguments[k].binder);
-    }
-    return result;
-  }
-};
+using Call = BuiltinCall;
 
 Term elementary(const Call& call, Operation operation) {
   return call.construct().elementary(operation, call.scalar(0, "this argument"), call.span());
@@ -109,56 +70,6 @@ Term transpose(const Call& call) {
   return call.construct().make(Operation::transpose,
                                Type::matrix(type.columns, type.rows, *type.inner), {matrix}, {},
                                call.span());
-}
-
-// diff(f, u) and diff(f, u, 2, v, 2)
-Term derivative(const Call& call) {
-  Term function = call.term(0);
-  const bool was_value = !function.type().is_function();
-  std::vector<std::pair<const Expression*, int>> wanted;
-  for (std::size_t k = 1; k < call.count(); ++k) {
-    const Argument& argument = call.expression.arguments[k];
-    if (argument.value && argument.value->kind == Expression::Kind::name &&
-        !call.elaborator.is_number(*argument.value, call.scope)) {
-      wanted.emplace_back(argument.value.get(), 1);
-    } else if (!wanted.empty()) {
-      wanted.back().second = call.whole(k, "the order of a derivative");
-      if (wanted.back().second < 0)
-        throw Fault{call.span(), "a derivative of negative order"};
-    } else {
-      throw Fault{call.span(), "the name of a parameter is needed after the function",
-                  "as in diff(r, u, 2, v, 2)"};
-    }
-  }
-  Term at;
-  if (was_value) {
-    Formals formals;
-    for (const auto& [name, order] : wanted) {
-      const Term parameter = call.elaborator.expression(*name, call.scope);
-      if (parameter.operation() != Operation::symbol || !parameter.type().is_scalar())
-        throw Fault{name->span, "'" + name->text + "' is not a parameter or scalar symbol"};
-      const bool known = std::any_of(formals.begin(), formals.end(), [&](const SymbolPointer& f) {
-        return f->ordinal == parameter.symbol()->ordinal;
-      });
-      if (!known) formals.push_back(parameter.symbol());
-    }
-    function = call.construct().lambda(formals, decayed(function), call.span());
-  }
-  const std::vector<std::string>& parameters = function.type().parameters;
-  Indices orders(parameters.size(), 0);
-  for (const auto& [name, order] : wanted) {
-    const auto place = std::find(parameters.begin(), parameters.end(), name->text);
-    if (place == parameters.end())
-      throw Fault{name->span, "'" + name->text + "' is not a parameter of this " +
-                                  to_text(function.type())};
-    orders[static_cast<std::size_t>(place - parameters.begin())] += order;
-  }
-  const Term result = call.construct().derivative(function, orders, call.span());
-  if (!was_value) return result;
-  std::vector<Term> arguments;
-  for (const SymbolPointer& formal : function.formals())
-    arguments.push_back(symbol_term(formal, call.span()));
-  return call.construct().apply(result, std::move(arguments), call.span());
 }
 
 Term finite_sum(const Call& call) {
@@ -252,7 +163,7 @@ const std::vector<Builtin>& builtins() {
       {"dot", "dot(a, b)", 2, 2, [](const Call& c) { return of_two_points(c, Operation::dot); }},
       {"cross", "cross(a, b)", 2, 2, [](const Call& c) { return of_two_points(c, Operation::cross); }},
       {"transpose", "transpose(M)", 1, 1, transpose},
-      {"diff", "diff(r, u, 2, v)", 2, many, derivative},
+      {"diff", "diff(r, u, 2, v)", 2, many, derivative_of},
       {"sum", "sum(b[i]*x^i, i in 0..3)", 2, many, finite_sum},
       {"net", "net(c[i,0], i in 0..3, j in 0..3)", 2, 3, net},
       {"rows", "rows(M)", 1, 1, [](const Call& c) { return extent(c, true); }},

@@ -63,6 +63,16 @@ Term Elaborator::as_function(const syntax::Formal& formal, const Term& given) {
   return construct_.lambda(formals, given, given.span());
 }
 
+// A matrix of one row or one column as a list.
+Term Elaborator::as_list(const Term& given) {
+  const Type& type = given.type();
+  if (type.list) return given;
+  std::vector<Term> entries;
+  for (int k = 0; k < type.rows * type.columns; ++k)
+    entries.push_back(construct_.entry(given, {k}, given.span()));
+  return construct_.list(std::move(entries), given.span());
+}
+
 Term Elaborator::argument(const syntax::Formal& formal, const Term& given, const Scope& scope) {
   using Kind = syntax::FormalType::Kind;
   const std::string what = "argument '" + formal.name.text + "'";
@@ -89,14 +99,7 @@ Term Elaborator::argument(const syntax::Formal& formal, const Term& given, const
     }
     case Kind::list: {
       const Type& type = given.type();
-      if (!type.is_matrix() || (type.rows != 1 && type.columns != 1)) return wrong();
-      if (type.list) return given;
-      if (given.operation() == Operation::matrix)
-        return construct_.list(given.children(), given.span());
-      std::vector<Term> entries;
-      for (int k = 0; k < type.rows * type.columns; ++k)
-        entries.push_back(construct_.entry(given, {k}, given.span()));
-      return construct_.list(std::move(entries), given.span());
+      return type.is_matrix() && (type.rows == 1 || type.columns == 1) ? as_list(given) : wrong();
     }
     default: return given.type().is_matrix() && !given.type().list ? given : wrong();
   }
@@ -157,7 +160,11 @@ Term Elaborator::expanded(const syntax::Definition& definition, Scope& inside,
         inside.declare(local.name.text, expression(*local.value, inside));
     }
     Term value = expression(*definition.value, inside);
-    if (formals.empty()) return construct_.definition(definition.name.text, value, arguments, span);
+    if (formals.empty()) {
+      const bool column = value.type().is_matrix() && value.type().columns == 1;
+      if (definition.result.kind == syntax::FormalType::Kind::list && column) value = as_list(value);
+      return construct_.definition(definition.name.text, value, arguments, span);
+    }
     if (value.type().is_function()) {
       std::vector<Term> at;
       for (const SymbolPointer& formal : formals) at.push_back(symbol_term(formal, span));
