@@ -41,7 +41,8 @@ TEST_CASE("fractions add, multiply and divide as their values do", "[law]") {
     if (!b.is_zero() && value_at(b, at) != 0)
       CHECK(value_at(quotient(a, b, budget), at) == value_at(a, at) / value_at(b, at));
     CHECK(value_at(power(a, 3, budget), at) == power(value_at(a, at), 3));
-    if (value_at(b, at) != 0) CHECK(value_at(power(b, -2, budget), at) == power(value_at(b, at), -2));
+    if (value_at(b, at) != 0)
+      CHECK(value_at(power(b, -2, budget), at) == power(value_at(b, at), -2));
   }
 }
 
@@ -65,7 +66,8 @@ TEST_CASE("denominators are primitive polynomials with a positive first coeffici
   Budget budget{Limits{}};
   std::mt19937 random{32};
   for (int i = 0; i < 100; ++i) {
-    const Fraction a = sum(random_fraction(random, budget), random_fraction(random, budget), budget);
+    const Fraction a =
+        sum(random_fraction(random, budget), random_fraction(random, budget), budget);
     for (const auto& [factor, exponent] : a.denominator()) {
       CHECK(exponent >= 1);
       CHECK(content(factor) == 1);

@@ -139,8 +139,8 @@ TEST_CASE("systems with symbols are solved wherever their pivots do not vanish",
 TEST_CASE("a number is preferred to a symbol as a pivot, so that no condition arises") {
   Budget budget{Limits{}};
   const Fraction a{Polynomial::variable(0)};
-  const LinearSolution found =
-      solution({{{a, Rational{1}}, Rational{0}}, {{Rational{1}, Rational{0}}, Rational{3}}}, 2, budget);
+  const LinearSolution found = solution(
+      {{{a, Rational{1}}, Rational{0}}, {{Rational{1}, Rational{0}}, Rational{3}}}, 2, budget);
   CHECK(found.pivots.empty());
   CHECK(found.free.empty());
   CHECK(found.constant_part[0].numerator() == Polynomial{Rational{3}});

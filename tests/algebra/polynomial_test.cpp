@@ -188,7 +188,8 @@ TEST_CASE("the order of monomials is preserved by multiplication", "[law]") {
   const auto monomial = [&] {
     Monomial result;
     for (int k = 0; k < 3; ++k)
-      result = result * Monomial{static_cast<Variable>(random() % 3), static_cast<unsigned>(random() % 3)};
+      result = result *
+               Monomial{static_cast<Variable>(random() % 3), static_cast<unsigned>(random() % 3)};
     return result;
   };
   for (int i = 0; i < 500; ++i) {
@@ -206,7 +207,8 @@ TEST_CASE("a product that becomes too large runs over its budget", "[reject]") {
   Limits limits;
   limits.terms = 50;
   Budget budget{limits};
-  const Polynomial p = sum(sum(x, y, budget), sum(Polynomial::variable(2), Rational{1}, budget), budget);
+  const Polynomial p =
+      sum(sum(x, y, budget), sum(Polynomial::variable(2), Rational{1}, budget), budget);
   CHECK_THROWS_AS(power(p, 12, budget), OverBudget);
 }
 

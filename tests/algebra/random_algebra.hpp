@@ -31,8 +31,8 @@ inline Polynomial random_polynomial(std::mt19937& random, unsigned variables = 3
   return Polynomial::from_terms(std::move(result));
 }
 
-inline Polynomial random_nonzero(std::mt19937& random, unsigned variables = 3,
-                                 unsigned degree = 2, unsigned terms = 3) {
+inline Polynomial random_nonzero(std::mt19937& random, unsigned variables = 3, unsigned degree = 2,
+                                 unsigned terms = 3) {
   for (;;) {
     Polynomial result = random_polynomial(random, variables, degree, terms);
     if (!result.is_zero()) return result;

@@ -68,7 +68,9 @@ std::string described(const SourceText& source, const Part& part, const Token& t
   around.erase(std::unique(around.begin(), around.end(),
                            [](char a, char b) { return a == ' ' && b == ' '; }),
                around.end());
-  return part.claim + ": " + around;
+  const std::size_t first = around.find_first_not_of(' ');
+  const std::size_t last = around.find_last_not_of(' ');
+  return part.claim + ": " + around.substr(first, last - first + 1);
 }
 
 ReadFile read(const SourceText& source) {

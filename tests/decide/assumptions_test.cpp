@@ -124,7 +124,8 @@ TEST_CASE("an equation in a parameter speaks of each of its powers") {
   CHECK(verdict("scalar s, t, a\nparam u in [s, t]\nassume zero: a*u == 0", "a == 0") == "UNKNOWN");
 }
 
-TEST_CASE("equations that are not linear are used as they stand, and named when that is too little") {
+TEST_CASE(
+    "equations that are not linear are used as they stand, and named when that is too little") {
   CHECK(verdicts(R"~(
   scalar x
   assume square: x^2 == 4
@@ -137,13 +138,14 @@ multiple PROVED uses square
 other PROVED
 root REFUTED
 )~");
-  CHECK(verdicts(R"~(
+  CHECK(
+      verdicts(R"~(
   scalar x
   assume square: x^2 == 2
   prove same: x^4 == 4
 )~") ==
-        "same UNKNOWN (no values are known for which all assumptions and conditions hold: no example "
-        "was found)\n");
+      "same UNKNOWN (no values are known for which all assumptions and conditions hold: no example "
+      "was found)\n");
 }
 
 TEST_CASE("assumptions that contradict each other prove nothing") {

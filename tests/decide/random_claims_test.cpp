@@ -25,7 +25,8 @@ Point place_of(const WitnessReport& witness) {
 }
 
 ClaimResult only_claim(const std::string& declarations, const std::string& proposition) {
-  const auto results = results_of("case t\n" + declarations + "prove p: " + proposition + "\nend\n");
+  const auto results =
+      results_of("case t\n" + declarations + "prove p: " + proposition + "\nend\n");
   return results.at(0).claims.at(0);
 }
 
@@ -41,9 +42,9 @@ TEST_CASE("identities of the ring are proved by both engines", "[law]") {
     const std::string c = text(random_polynomial(random, 3, 2, 4));
     INFO(a << "\n" << b << "\n" << c);
     const ClaimResult result =
-        only_claim(i % 2 == 0 ? scalars : parameters,
-                   a + "*(" + b + " - " + c + ")^2 == " + a + "*" + b + "^2 - 2*" + a + "*" + b +
-                       "*" + c + " + " + c + "^2*" + a);
+        only_claim(i % 2 == 0 ? scalars : parameters, a + "*(" + b + " - " + c + ")^2 == " + a +
+                                                          "*" + b + "^2 - 2*" + a + "*" + b + "*" +
+                                                          c + " + " + c + "^2*" + a);
     CHECK(result.decision.verdict == Verdict::proved);
     CHECK(result.decision.evidence == Evidence::both_engines);
   }
@@ -57,7 +58,8 @@ TEST_CASE("polynomials that differ are refuted where their values differ", "[law
     const Polynomial b = random_polynomial(random);
     if (a == b) continue;
     INFO(words(a) << "\n" << words(b));
-    const ClaimResult result = only_claim(inside ? parameters : scalars, text(a) + " == " + text(b));
+    const ClaimResult result =
+        only_claim(inside ? parameters : scalars, text(a) + " == " + text(b));
     REQUIRE(result.decision.verdict == Verdict::refuted);
     CHECK(result.decision.evidence == Evidence::both_engines);
     const Point at = place_of(result.decision.witness);
@@ -101,7 +103,8 @@ TEST_CASE("inequalities are proved only where no point of a grid contradicts", "
     INFO(words(p) << (strict ? " > 0" : " >= 0"));
     const ClaimResult result = only_claim(parameters, words(p) + (strict ? " > 0" : " >= 0"));
     const Verdict verdict = result.decision.verdict;
-    REQUIRE((verdict == Verdict::proved || verdict == Verdict::refuted || verdict == Verdict::unknown));
+    REQUIRE(
+        (verdict == Verdict::proved || verdict == Verdict::refuted || verdict == Verdict::unknown));
     if (verdict == Verdict::refuted) {
       ++refuted;
       const Rational value = value_at(p, place_of(result.decision.witness));
@@ -129,12 +132,13 @@ TEST_CASE("quotients of polynomials: proved with their conditions, refuted where
     const Polynomial c = random_nonzero(random, 2, 1, 2);
     const std::string quotient = text(a) + "/" + text(b);
     INFO(quotient << ", " << words(c));
-    const ClaimResult same = only_claim(
-        scalars, "(" + text(a) + "*" + text(c) + ")/(" + text(b) + "*" + text(c) + ") == " + quotient);
+    const ClaimResult same = only_claim(scalars, "(" + text(a) + "*" + text(c) + ")/(" + text(b) +
+                                                     "*" + text(c) + ") == " + quotient);
     const bool numbers = b.is_constant() && c.is_constant();
     CHECK(same.decision.verdict == (numbers ? Verdict::proved : Verdict::proved_if));
     CHECK(same.decision.conditions.empty() == numbers);
-    const ClaimResult different = only_claim(scalars, quotient + " == " + quotient + " + " + text(c));
+    const ClaimResult different =
+        only_claim(scalars, quotient + " == " + quotient + " + " + text(c));
     REQUIRE(different.decision.verdict == Verdict::refuted);
     const Point at = place_of(different.decision.witness);
     CHECK(value_at(b, at) != 0);
@@ -154,7 +158,8 @@ TEST_CASE("what is shown can be read again and is the same", "[law]") {
     const std::string shown = results.at(0).shown.at(0).value;
     INFO(written << "\n" << shown);
     const ClaimResult same = only_claim(declarations, written + " == " + shown);
-    CHECK((same.decision.verdict == Verdict::proved || same.decision.verdict == Verdict::proved_if));
+    CHECK(
+        (same.decision.verdict == Verdict::proved || same.decision.verdict == Verdict::proved_if));
   }
 }
 
@@ -172,8 +177,8 @@ TEST_CASE("linear systems are solved, and the solution satisfies them", "[law]")
       rows[r][0] = random_small(random, 3);
       rows[r][1] = random_small(random, 3);
       const Rational right = rows[r][0] * first + rows[r][1] * second;
-      equations += (r == 0 ? "" : ", ") + std::string{"("} + std::to_string(rows[r][0]) + ")*x0 + (" +
-                   std::to_string(rows[r][1]) + ")*x1 == " + to_text(right);
+      equations += (r == 0 ? "" : ", ") + std::string{"("} + std::to_string(rows[r][0]) +
+                   ")*x0 + (" + std::to_string(rows[r][1]) + ")*x1 == " + to_text(right);
     }
     determinant = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
     INFO(equations);

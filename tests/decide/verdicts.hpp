@@ -14,8 +14,8 @@ namespace patchproof {
 /// @throws std::invalid_argument with the messages when the text is faulty.
 inline std::vector<CaseResult> results_of(const std::string& text, const Limits& limits = {}) {
   const auto source = std::make_shared<const SourceText>(SourceText{"test.proof", text});
-  const ReadFile read = read_cases(
-      source, limits, [](const std::string&) { return std::optional<std::string>{}; });
+  const ReadFile read =
+      read_cases(source, limits, [](const std::string&) { return std::optional<std::string>{}; });
   if (!read.diagnostics.empty()) {
     std::string messages;
     for (const Diagnostic& diagnostic : read.diagnostics) messages += to_text(diagnostic);
@@ -52,7 +52,8 @@ inline std::string verdicts(const std::string& statements, const Limits& limits 
 
 /// The verdict of a proposition under the declarations before it, without anything else: "PROVED".
 inline std::string verdict(const std::string& declarations, const std::string& proposition) {
-  const auto results = results_of("case t\n" + declarations + "\nprove p: " + proposition + "\nend\n");
+  const auto results =
+      results_of("case t\n" + declarations + "\nprove p: " + proposition + "\nend\n");
   return to_text(results.at(0).claims.at(0).decision.verdict);
 }
 

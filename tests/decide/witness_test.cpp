@@ -46,7 +46,8 @@ TEST_CASE("a witness says which component of the two sides differs") {
 }
 
 TEST_CASE("a witness for numbers alone is their certified decimals") {
-  CHECK(witness_of("", "sqrt(2) == 1.41421356") == ": sqrt(2) = 1.414213562373… vs 35355339/25000000");
+  CHECK(witness_of("", "sqrt(2) == 1.41421356") ==
+        ": sqrt(2) = 1.414213562373… vs 35355339/25000000");
   CHECK(witness_of("", "pi == 22/7") == ": pi = 3.141592653589… vs 22/7");
 }
 

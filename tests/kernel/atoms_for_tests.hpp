@@ -14,12 +14,16 @@ namespace patchproof {
 struct Tools {
   Budget budget{Limits{}};
   Workspace workspace{budget};
-  SymbolPointer f_symbol = symbol("f", Symbol::Role::function,
-                                  Type::function({"t"}, Type::scalar()), 9);
-  Fraction u = Polynomial::variable(workspace.atoms.symbol(symbol("u", Symbol::Role::parameter, Type::scalar(), 1)));
-  Fraction v = Polynomial::variable(workspace.atoms.symbol(symbol("v", Symbol::Role::parameter, Type::scalar(), 2)));
-  Fraction a = Polynomial::variable(workspace.atoms.symbol(symbol("a", Symbol::Role::scalar, Type::scalar(), 3)));
-  Fraction pi = Polynomial::variable(workspace.atoms.variable({Atom::Kind::pi, nullptr, 0, {}, {}}));
+  SymbolPointer f_symbol =
+      symbol("f", Symbol::Role::function, Type::function({"t"}, Type::scalar()), 9);
+  Fraction u = Polynomial::variable(
+      workspace.atoms.symbol(symbol("u", Symbol::Role::parameter, Type::scalar(), 1)));
+  Fraction v = Polynomial::variable(
+      workspace.atoms.symbol(symbol("v", Symbol::Role::parameter, Type::scalar(), 2)));
+  Fraction a = Polynomial::variable(
+      workspace.atoms.symbol(symbol("a", Symbol::Role::scalar, Type::scalar(), 3)));
+  Fraction pi =
+      Polynomial::variable(workspace.atoms.variable({Atom::Kind::pi, nullptr, 0, {}, {}}));
 
   static SymbolPointer symbol(const std::string& name, Symbol::Role role, const Type& type,
                               unsigned ordinal) {

@@ -26,11 +26,10 @@ Rational recursion(const std::vector<Rational>& knots, int span, int index, int 
   const Rational rise = knot(index + degree) - knot(index);
   const Rational fall = knot(index + degree + 1) - knot(index + 1);
   Rational result = 0;
-  if (rise != 0)
-    result += (x - knot(index)) / rise * recursion(knots, span, index, degree - 1, x);
+  if (rise != 0) result += (x - knot(index)) / rise * recursion(knots, span, index, degree - 1, x);
   if (fall != 0)
-    result += (knot(index + degree + 1) - x) / fall *
-              recursion(knots, span, index + 1, degree - 1, x);
+    result +=
+        (knot(index + degree + 1) - x) / fall * recursion(knots, span, index + 1, degree - 1, x);
   return result;
 }
 
@@ -42,9 +41,10 @@ std::vector<Rational> random_knots(std::mt19937& random, int degree, int points)
     while (static_cast<int>(knots.size()) < points + degree + 1) {
       const bool again = multiplicity <= degree && random() % 2 == 0;
       multiplicity = again ? multiplicity + 1 : 1;
-      knots.push_back(again ? knots.back()
-                            : Rational{knots.back() + Rational(1 + static_cast<int>(random() % 4),
-                                                               1 + static_cast<int>(random() % 3))});
+      knots.push_back(again
+                          ? knots.back()
+                          : Rational{knots.back() + Rational(1 + static_cast<int>(random() % 4),
+                                                             1 + static_cast<int>(random() % 3))});
     }
     const auto p = static_cast<std::size_t>(degree);
     if (knots[p] < knots[knots.size() - 1 - p]) return knots;

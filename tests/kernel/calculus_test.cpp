@@ -8,8 +8,7 @@ namespace {
 
 Fraction derivative_in_u(const Fraction& value, Tools& t) {
   Conditions conditions;
-  const Fraction result =
-      derivative(value, Tools::variable_of(t.u), conditions, t.workspace);
+  const Fraction result = derivative(value, Tools::variable_of(t.u), conditions, t.workspace);
   CHECK(conditions.empty());
   return result;
 }
@@ -21,14 +20,15 @@ TEST_CASE("of polynomials the kernel has the derivatives of polynomials", "[law]
   std::mt19937 random{90};
   const Variable u = Tools::variable_of(t.u);
   for (int i = 0; i < 60; ++i) {
-    const Polynomial p = substituted(random_polynomial(random), {{0, t.u.numerator()},
-                                                                 {1, t.v.numerator()},
-                                                                 {2, t.a.numerator()}}, t.budget);
+    const Polynomial p =
+        substituted(random_polynomial(random),
+                    {{0, t.u.numerator()}, {1, t.v.numerator()}, {2, t.a.numerator()}}, t.budget);
     CHECK(t.equal(derivative_in_u(p, t), derivative(p, u)));
   }
 }
 
-TEST_CASE("derivatives in jets, sines and exponentials obey the product and quotient rules", "[law]") {
+TEST_CASE("derivatives in jets, sines and exponentials obey the product and quotient rules",
+          "[law]") {
   Tools t;
   std::mt19937 random{91};
   for (int i = 0; i < 60; ++i) {
@@ -47,20 +47,23 @@ TEST_CASE("derivatives in jets, sines and exponentials obey the product and quot
   }
 }
 
-TEST_CASE("the chain rule: first replaced, then derived, or derived, replaced and multiplied", "[law]") {
+TEST_CASE("the chain rule: first replaced, then derived, or derived, replaced and multiplied",
+          "[law]") {
   Tools t;
   std::mt19937 random{92};
   for (int i = 0; i < 60; ++i) {
     t.with_finer_angles([&] {
       const Fraction outer = t.random_value(random);
-      const Fraction inner = t.add(t.times(Rational{random_small(random, 3)}, t.u),
-                                   t.add(t.times(Rational{random_small(random, 2)}, t.times(t.u, t.u)),
-                                         t.times(Rational{random_small(random, 2)}, t.a)));
+      const Fraction inner =
+          t.add(t.times(Rational{random_small(random, 3)}, t.u),
+                t.add(t.times(Rational{random_small(random, 2)}, t.times(t.u, t.u)),
+                      t.times(Rational{random_small(random, 2)}, t.a)));
       const std::map<Variable, Fraction> images{{Tools::variable_of(t.u), inner}};
       const auto moved = [&](const Fraction& x) { return Substitution{images, t.workspace}(x); };
       // Not inside CHECK, which would catch FinerAngles.
-      const bool agree = t.equal(derivative_in_u(moved(outer), t),
-                                 t.times(moved(derivative_in_u(outer, t)), derivative_in_u(inner, t)));
+      const bool agree =
+          t.equal(derivative_in_u(moved(outer), t),
+                  t.times(moved(derivative_in_u(outer, t)), derivative_in_u(inner, t)));
       INFO("inner " << words(inner));
       CHECK(agree);
     });
@@ -90,9 +93,8 @@ TEST_CASE("f(u^2) has the second derivative 2 f'(u^2) + 4 u^2 f''(u^2)") {
   Tools t;
   const Fraction square = t.times(t.u, t.u);
   const Fraction twice = derivative_in_u(derivative_in_u(t.f(square), t), t);
-  const Fraction expected =
-      t.add(t.times(Rational{2}, t.f(square, 1)),
-            t.times(Rational{4}, t.times(square, t.f(square, 2))));
+  const Fraction expected = t.add(t.times(Rational{2}, t.f(square, 1)),
+                                  t.times(Rational{4}, t.times(square, t.f(square, 2))));
   CHECK(t.equal(twice, expected));
   CHECK_FALSE(t.equal(twice, t.f(square, 2)));
 }
@@ -117,8 +119,7 @@ TEST_CASE("the derivative of a root needs that the radicand does not vanish", "[
   REQUIRE(at_least_zero.size() == 1);
   CHECK(at_least_zero.begin()->kind == Condition::Kind::at_least_zero);
   Conditions conditions;
-  const Fraction slope =
-      derivative(root, Tools::variable_of(t.u), conditions, t.workspace);
+  const Fraction slope = derivative(root, Tools::variable_of(t.u), conditions, t.workspace);
   REQUIRE(conditions.size() == 1);
   CHECK(conditions.begin()->kind == Condition::Kind::not_zero);
   CHECK(conditions.begin()->polynomial == t.u.numerator());

@@ -63,7 +63,8 @@ TEST_CASE("the addition theorems hold for any angles", "[law]") {
       const auto angle = [&] {
         const Rational a(random_small(random, 3), 1 + static_cast<int>(random() % 3));
         const Rational b(random_small(random, 2), 1 + static_cast<int>(random() % 2));
-        return t.add(t.times(a, t.u), t.add(t.times(b, t.a), t.times(t.pi, Rational(random_small(random, 3), 6))));
+        return t.add(t.times(a, t.u),
+                     t.add(t.times(b, t.a), t.times(t.pi, Rational(random_small(random, 3), 6))));
       };
       const Fraction x = angle();
       const Fraction y = angle();
@@ -93,8 +94,9 @@ TEST_CASE("exp turns sums into products", "[law]") {
   for (int i = 0; i < 60; ++i) {
     t.with_finer_angles([&] {
       const auto exponent = [&] {
-        return t.add(t.times(Rational(random_small(random, 4), 1 + static_cast<int>(random() % 3)), t.u),
-                     Rational(random_small(random, 3), 2));
+        return t.add(
+            t.times(Rational(random_small(random, 4), 1 + static_cast<int>(random() % 3)), t.u),
+            Rational(random_small(random, 3), 2));
       };
       const Fraction x = exponent();
       const Fraction y = exponent();
@@ -131,8 +133,9 @@ TEST_CASE("the root of a polynomial squares to it and needs it not to be negativ
   Tools t;
   std::mt19937 random{103};
   for (int i = 0; i < 60; ++i) {
-    const Fraction p = t.add(t.times(Rational{1 + static_cast<int>(random() % 9)}, t.times(t.u, t.u)),
-                             t.add(t.times(random_rational(random), t.a), random_rational(random)));
+    const Fraction p =
+        t.add(t.times(Rational{1 + static_cast<int>(random() % 9)}, t.times(t.u, t.u)),
+              t.add(t.times(random_rational(random), t.a), random_rational(random)));
     Conditions conditions;
     const Fraction root = square_root(p, conditions, t.workspace);
     CHECK(t.equal(t.times(root, root), p));

@@ -59,22 +59,28 @@ const Handed* derivation_for(const std::string& label, const std::string& instan
 }
 
 Decision decide_identity(const IdentityClaim& claim, const std::vector<KnownValue>& known,
-                         const Case& given, Engines engines) {
+                         const std::vector<Assumption>& agreements, const Case& given,
+                         Engines engines) {
   Goal goal = claim.goal;
   goal.known = known;
+  goal.assumptions.insert(goal.assumptions.end(), agreements.begin(), agreements.end());
   return decided(goal, given.limits, engines);
 }
 
 Decision decide_derive(const DeriveClaim& claim, const std::vector<KnownValue>& known,
-                       const Case& given, Engines engines) {
+                       const std::vector<Assumption>& agreements, const Case& given,
+                       Engines engines) {
   SolveGoal goal = claim.goal;
   goal.goal.known = known;
+  std::vector<Assumption>& assumptions = goal.goal.assumptions;
+  assumptions.insert(assumptions.end(), agreements.begin(), agreements.end());
   return solved(goal, claim.gives, claim.leaves, given.limits, engines);
 }
 
 Decision decide(const Claim& claim, const Derivations& derivations, const Case& given,
                 Engines engines) {
   std::vector<KnownValue> known;
+  std::vector<Assumption> agreements;
   std::vector<std::string> conditions;
   for (const std::string& label : claim.uses) {
     const Handed* found = derivation_for(label, claim.instance, derivations);
@@ -84,13 +90,23 @@ Decision decide(const Claim& claim, const Derivations& derivations, const Case& 
       return undecided;
     }
     const Handed& handed = *found;
-    known.insert(known.end(), handed.values.begin(), handed.values.end());
+    for (const KnownValue& value : handed.values) {
+      const auto before = std::find_if(known.begin(), known.end(), [&](const KnownValue& k) {
+        return k.symbol->ordinal == value.symbol->ordinal;
+      });
+      // Derived twice: both values are used, so they have to agree.
+      if (before != known.end())
+        agreements.push_back({label, {before->value, Relation::equal, value.value, claim.span}});
+      else
+        known.push_back(value);
+    }
     conditions.insert(conditions.end(), handed.conditions.begin(), handed.conditions.end());
   }
   Decision result =
       std::holds_alternative<IdentityClaim>(claim.kind)
-          ? decide_identity(std::get<IdentityClaim>(claim.kind), known, given, engines)
-          : decide_derive(std::get<DeriveClaim>(claim.kind), known, given, engines);
+          ? decide_identity(std::get<IdentityClaim>(claim.kind), known, agreements, given,
+                            engines)
+          : decide_derive(std::get<DeriveClaim>(claim.kind), known, agreements, given, engines);
   // What the derivation needs, everything built on it needs as well.
   if (result.verdict == Verdict::proved && !conditions.empty()) result.verdict = Verdict::proved_if;
   for (const std::string& condition : conditions)

@@ -39,11 +39,7 @@ class Solver {
         solved_system(goal_.goal.statements, variables_, evaluator_, hypotheses_, workspace_);
     result.evidence = Evidence::kernel;
     if (!system.solution.contradictions.empty()) {
-      result.verdict = Verdict::inconsistent;
-      result.reason = "the equations lead to 0 == " +
-                      to_text(system.solution.contradictions.front(), workspace_.atoms,
-                              workspace_.budget, 300);
-      return result;
+      return contradiction(system.solution.contradictions);
     }
     Conditions conditions = system.conditions;
     for (const Polynomial& pivot : system.solution.pivots) {
@@ -62,6 +58,23 @@ class Solver {
   const SolveGoal& goal() const { return goal_; }
 
  private:
+  // No solution at all, or none except where the given data are special.
+  Decision contradiction(const std::vector<Fraction>& left_over) {
+    Decision result;
+    for (const Fraction& fraction : left_over) {
+      const std::string text = to_text(fraction, workspace_.atoms, workspace_.budget, 300);
+      if (!hypotheses_.facts().never_zero(fraction.numerator(), workspace_.budget)) {
+        if (result.reason.empty()) result.reason = "there is a solution only where " + text + " == 0";
+        continue;
+      }
+      result.verdict = Verdict::inconsistent;
+      result.evidence = Evidence::kernel;
+      result.reason = "the equations lead to 0 == " + text;
+      return result;
+    }
+    return result;
+  }
+
   // An assumption about an unknown is one more equation for it.
   static SolveGoal with_assumptions_as_equations(const SolveGoal& goal) {
     SolveGoal result = goal;
@@ -110,17 +123,17 @@ class Solver {
   void describe(const UnknownSystem& system, Decision& result) {
     for (const SymbolPointer& symbol : goal_.unknowns) {
       std::vector<Fraction> components;
-      bool free = false;
+      std::vector<std::string> free;
       for (std::size_t k = 0; k < variables_.size(); ++k) {
         if (symbols_[k]->ordinal != symbol->ordinal) continue;
         const auto& is_free = system.solution.free;
-        free = free || std::find(is_free.begin(), is_free.end(), k) != is_free.end();
+        if (std::find(is_free.begin(), is_free.end(), k) != is_free.end())
+          free.push_back(symbol->name + component_name(symbol->type, components.size()));
         components.push_back(component(system, k));
       }
-      if (free) {
-        result.free.push_back(symbol->name);
-        continue;
-      }
+      if (free.size() == components.size()) free = {symbol->name};
+      result.free.insert(result.free.end(), free.begin(), free.end());
+      if (!free.empty()) continue;
       result.derived.emplace_back(symbol->name, in_words(components));
       if (const auto value = value_term(components, symbol->type, workspace_.atoms))
         result.solution.push_back({symbol, *value});
@@ -222,8 +235,8 @@ Decision solved(const SolveGoal& goal, const std::vector<Statement>& gives,
     return decision;
   });
   if (!is_solved(result)) return result;
-  const std::size_t determined = goal.unknowns.size() - result.free.size();
-  if (result.solution.size() != determined) {
+  // As the verdict is "proved", the free unknowns are free as wholes, and no others are.
+  if (result.solution.size() != goal.unknowns.size() - result.free.size()) {
     result.verdict = Verdict::unknown;
     result.reason = "the solution is not a combination of points";
     return result;

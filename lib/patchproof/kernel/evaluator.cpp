@@ -62,7 +62,13 @@ Value Evaluator::compute(const Term& term) {
 Value Evaluator::of_symbol(const Term& term) {
   const SymbolPointer& symbol = term.symbol();
   const auto known = known_.find(symbol->ordinal);
-  if (known != known_.end()) return value(known->second);
+  if (known != known_.end()) {
+    if (!resolving_.insert(symbol->ordinal).second)
+      throw OutsideTheory{"the derivations used define '" + symbol->name + "' by itself"};
+    Value result = value(known->second);
+    resolving_.erase(symbol->ordinal);
+    return result;
+  }
   Value result;
   const auto count = static_cast<int>(symbol->type.component_count());
   if (symbol->role != Symbol::Role::function) {

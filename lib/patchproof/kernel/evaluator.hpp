@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -47,6 +48,8 @@ class Evaluator {
   /// Keeps the terms alive whose addresses are keys of `values_`.
   std::vector<Term> seen_;
   std::unordered_map<unsigned, Term> known_;
+  /// Known symbols whose values are being worked out.
+  std::set<unsigned> resolving_;
 };
 
 }  // namespace patchproof

@@ -53,18 +53,6 @@ Hypotheses::Hypotheses(const Goal& goal, const std::vector<bool>& enabled, Evalu
   contradictory_ = contradictory_ || facts_.contradictory(workspace_.budget);
 }
 
-void Hypotheses::add_ranges(const Goal& goal, Evaluator& evaluator) {
-  for (const ParameterRange& range : goal.ranges) {
-    const Variable v = workspace_.atoms.symbol(range.parameter);
-    const Fraction low = evaluator.value(range.lower).components.front();
-    const Fraction high = evaluator.value(range.upper).components.front();
-    ranges_.insert_or_assign(v, Range{low, high});
-    if (low.is_polynomial() && low.numerator().is_constant() && high.is_polynomial() &&
-        high.numerator().is_constant())
-      facts_.add_interval(v, {low.numerator().constant(), high.numerator().constant()});
-  }
-}
-
 void Hypotheses::add_equation(const Polynomial& equation, const std::string& name) {
   const Polynomial rest = reduced(Fraction{equation}).numerator();
   if (rest.is_zero()) return;
@@ -212,6 +200,7 @@ Fraction Hypotheses::function_value(const Definition& definition, const Atom& je
   std::map<Variable, Fraction> arguments;
   for (std::size_t k = 0; k < definition.parameters.size(); ++k) {
     require_in_range(definition.parameters[k], jet.arguments[k]);
+    if (jet.orders[k] > 0) require_proper_ranges(Polynomial::variable(definition.parameters[k]));
     for (int order = 0; order < jet.orders[k]; ++order)
       result = derivative(result, definition.parameters[k], conditions_, workspace_);
     arguments.emplace(definition.parameters[k], jet.arguments[k]);
@@ -253,40 +242,6 @@ Fraction Hypotheses::reduced(const Fraction& fraction) {
     result = next;
   }
   throw OutsideTheory{"assumptions that define things by each other without end"};
-}
-
-void Hypotheses::add_facts(const Goal& goal, const std::vector<bool>& enabled,
-                           Evaluator& evaluator) {
-  const auto add = [&](const Fraction& fraction, bool strict) {
-    const Fraction simple = reduced(fraction);
-    if (simple.is_polynomial()) facts_.add_inequality(simple.numerator(), strict);
-  };
-  for (const auto& [variable, range] : ranges_) {
-    const Fraction parameter = Polynomial::variable(variable);
-    add(difference(parameter, range.low, workspace_.budget), false);
-    add(difference(range.high, parameter, workspace_.budget), false);
-  }
-  for (std::size_t k = 0; k < goal.assumptions.size(); ++k) {
-    const Statement& statement = goal.assumptions[k].statement;
-    if (!enabled[k] || statement.relation == Relation::equal) continue;
-    const Value left = evaluator.value(statement.left);
-    const Value right = evaluator.value(statement.right);
-    conditions_.insert(left.conditions.begin(), left.conditions.end());
-    conditions_.insert(right.conditions.begin(), right.conditions.end());
-    const Fraction up =
-        difference(left.components.front(), right.components.front(), workspace_.budget);
-    const Fraction down =
-        difference(right.components.front(), left.components.front(), workspace_.budget);
-    switch (statement.relation) {
-      case Relation::not_equal:
-        // For points of known dimension only some component differs: nothing usable follows.
-        if (left.components.size() == 1) facts_.add_not_zero(reduced(up).numerator());
-        break;
-      case Relation::greater:
-      case Relation::greater_equal: add(up, statement.relation == Relation::greater); break;
-      default: add(down, statement.relation == Relation::less); break;
-    }
-  }
 }
 
 }  // namespace patchproof

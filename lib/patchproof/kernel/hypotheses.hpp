@@ -30,6 +30,11 @@ class Hypotheses {
   /// What the assumptions themselves need to have a value.
   const Conditions& conditions() const { return conditions_; }
 
+  /// Checks that the parameters in the polynomial run over more than a point: only then does an
+  /// equation for all of their values say something of its coefficients and derivatives.
+  /// @throws OutsideTheory
+  void require_proper_ranges(const Polynomial& polynomial) const;
+
   /// True when the assumptions were found to contradict each other.
   bool contradictory() const { return contradictory_; }
 

@@ -1,6 +1,29 @@
 #include <patchproof/kernel/identity.hpp>
 
+#include <patchproof/kernel/enclose.hpp>
+#include <patchproof/kernel/readable.hpp>
+
 namespace patchproof {
+
+namespace {
+
+// Whether a condition on numbers alone holds; nothing when it depends on symbols.
+// A number that is neither certainly zero nor certainly not leaves everything undecided: a condition
+// that fails would make the claim mean nothing.
+std::optional<bool> holds_for_numbers(Condition::Kind kind, const Polynomial& p, Workspace& w) {
+  for (const Variable v : variables_within(p, w.atoms)) {
+    const Atom::Kind atom = w.atoms[v].kind;
+    if (atom == Atom::Kind::symbol || atom == Atom::Kind::jet || atom == Atom::Kind::slot)
+      return std::nullopt;
+  }
+  const std::optional<int> sign = certain_sign(Fraction{p}, w.atoms, w.budget);
+  if (!sign)
+    throw OutsideTheory{"it was not decided whether " + to_text(Fraction{p}, w.atoms, w.budget, 200) +
+                        " is zero"};
+  return kind == Condition::Kind::not_zero ? *sign != 0 : *sign >= 0;
+}
+
+}  // namespace
 
 void keep_open(const Conditions& conditions, Hypotheses& hypotheses, Workspace& workspace,
                const Span& span, Conditions& result) {
@@ -8,14 +31,19 @@ void keep_open(const Conditions& conditions, Hypotheses& hypotheses, Workspace& 
     const Fraction reduced = hypotheses.reduced(condition.polynomial);
     const Polynomial p = normal_form(reduced.numerator(), workspace);
     if (condition.kind == Condition::Kind::not_zero) {
-      if (p.is_zero()) throw NoValue{"division by zero", span};
-      if (!hypotheses.facts().never_zero(p, workspace.budget))
+      const SignFacts& facts = hypotheses.facts();
+      const std::optional<bool> known = holds_for_numbers(condition.kind, p, workspace);
+      const bool always_zero = known == false ||
+                               (facts.never_negative(p, workspace.budget) &&
+                                facts.never_negative(scaled(p, -1), workspace.budget));
+      if (always_zero) throw NoValue{"division by zero", span};
+      if (known != true && !facts.never_zero(p, workspace.budget))
         result.insert({condition.kind, primitive(p).polynomial});
     } else {
       if (!reduced.is_polynomial()) throw OutsideTheory{"the sign of a quotient under a square root"};
-      if (p.is_constant() && p.constant() < 0)
-        throw NoValue{"the square root of a negative number", span};
-      if (!hypotheses.facts().never_negative(p, workspace.budget))
+      const std::optional<bool> known = holds_for_numbers(condition.kind, p, workspace);
+      if (known == false) throw NoValue{"the square root of a negative number", span};
+      if (known != true && !hypotheses.facts().never_negative(p, workspace.budget))
         result.insert({condition.kind, p});
     }
   }

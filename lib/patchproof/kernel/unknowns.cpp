@@ -31,7 +31,9 @@ class Collector {
       Monomial inside;
       Monomial outside;
       for (const auto& p : term.monomial.powers()) {
-        Monomial& part = depends(p.variable) ? inside : outside;
+        const bool apart = depends(p.variable);
+        if (apart) require_independent(p.variable);
+        Monomial& part = apart ? inside : outside;
         part = part * Monomial{p.variable, p.exponent};
       }
       parts[inside].push_back({outside, term.coefficient});
@@ -45,6 +47,41 @@ class Collector {
     const auto [place, fresh] = depends_.try_emplace(v, false);
     if (fresh) place->second = depends_on_parameter(v, atoms_);
     return place->second;
+  }
+
+  // Powers of parameters, and sines, cosines and exponentials of them, are independent over an
+  // interval (Ax, 1971), so their coefficients vanish one by one. Nothing of the kind is known of
+  // unknown functions and of roots.
+  void require_independent(Variable v) const {
+    const Atom& atom = atoms_[v];
+    if (atom.kind == Atom::Kind::symbol) return;
+    bool elementary = atom.kind == Atom::Kind::sine || atom.kind == Atom::Kind::cosine ||
+                      atom.kind == Atom::Kind::exponential;
+    for (const Fraction& argument : atom.arguments) {
+      elementary = elementary && argument.is_polynomial();
+      for (const Variable inner : variables(argument)) {
+        const Atom& a = atoms_[inner];
+        elementary = elementary && (a.kind == Atom::Kind::pi ||
+                                    (a.kind == Atom::Kind::symbol &&
+                                     a.symbol->role == Symbol::Role::parameter));
+      }
+    }
+    if (!elementary)
+      throw OutsideTheory{
+          "the equations hold for all parameters, and contain functions of them that may depend on "
+          "each other"};
+  }
+
+  // A point of any dimension stands for its coordinates all at once and cannot be divided by.
+  void require_scalar(const Polynomial& coefficient) const {
+    for (const Variable v : coefficient.variables()) {
+      const Atom& atom = atoms_[v];
+      if (atom.kind != Atom::Kind::symbol && atom.kind != Atom::Kind::jet) continue;
+      const Type& type = atom.kind == Atom::Kind::jet ? *atom.symbol->type.inner : atom.symbol->type;
+      if (type.is_point() && type.dimension == Type::any_dimension)
+        throw OutsideTheory{
+            "an unknown number times a point of any dimension: declare the dimension, 'in R^3'"};
+    }
   }
 
   LinearEquation linear(const Polynomial& equation) {
@@ -67,7 +104,11 @@ class Collector {
       parts[place].push_back({rest, term.coefficient});
     }
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
-      result.coefficients[k] = Polynomial::from_terms(std::move(parts[k]));
+    {
+      const Polynomial coefficient = Polynomial::from_terms(std::move(parts[k]));
+      require_scalar(coefficient);
+      result.coefficients[k] = coefficient;
+    }
     result.right = scaled(Polynomial::from_terms(std::move(parts.back())), -1);
     return result;
   }
@@ -101,7 +142,9 @@ UnknownSystem solved_system(const std::vector<Statement>& equations,
     for (std::size_t c = 0; c < left.components.size(); ++c) {
       const Fraction plain = normal_form(
           difference(left.components[c], right.components[c], workspace.budget), workspace);
-      collector.add(normal_form(hypotheses.reduced(plain), workspace).numerator(), rows);
+      const Polynomial whole = normal_form(hypotheses.reduced(plain), workspace).numerator();
+      hypotheses.require_proper_ranges(whole);
+      collector.add(whole, rows);
     }
   }
   result.solution = solution(std::move(rows), unknowns.size(), workspace.budget);

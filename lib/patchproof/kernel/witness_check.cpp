@@ -13,7 +13,7 @@ using Images = std::map<unsigned, Term>;
 std::string shown(const Fraction& value, const Workspace& workspace) {
   const std::string exact = to_text(value, workspace.atoms, workspace.budget, 300);
   if (value.is_polynomial() && value.numerator().is_constant()) return exact;
-  const std::optional<Enclosure> interval = enclosure(value, workspace.atoms, 64);
+  const std::optional<Enclosure> interval = enclosure(value, workspace.atoms, 64, workspace.budget);
   return interval ? exact + " = " + to_decimal(*interval, 12) : exact;
 }
 
@@ -90,7 +90,7 @@ class Checker {
   std::optional<int> sign_of(const Fraction& left, const Fraction& right) {
     const Fraction d =
         normal_form(difference(left, right, workspace_.budget), workspace_);
-    return certain_sign(d, workspace_.atoms);
+    return certain_sign(d, workspace_.atoms, workspace_.budget);
   }
 
   std::string inconsistency() {

@@ -16,7 +16,7 @@ Term derivative_of(const BuiltinCall& call) {
     } else if (!wanted.empty()) {
       wanted.back().second = call.whole(k, "the order of a derivative");
       if (wanted.back().second < 0)
-        throw Fault{call.span(), "a derivative of negative order"};
+        throw Fault{call.span(), "the order of a derivative is not negative"};
     } else {
       throw Fault{call.span(), "the name of a parameter is needed after the function",
                   "as in diff(r, u, 2, v, 2)"};

@@ -96,6 +96,7 @@ Term net_of(const syntax::Expression& value, const std::vector<syntax::Binder>& 
   }
   std::vector<Term> entries;
   for (const std::vector<int>& values : elaborator.combinations(binders, scope)) {
+    elaborator.workshop().count_term(span);
     const Scope inner = Elaborator::bound(scope, binders, values);
     entries.push_back(
         decayed(elaborator.construct().value(inner, elaborator.expression(value, inner))));

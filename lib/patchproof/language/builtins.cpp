@@ -28,7 +28,7 @@ Term determinant(const Call& call) {
     if (type.rows != type.columns || !type.inner->is_scalar())
       throw Fault{call.span(), "only square matrices of scalars have a determinant, this is a " +
                                    to_text(type)};
-    if (type.rows > most) throw Fault{call.span(), "a determinant of more than 12 rows"};
+    if (type.rows > most) throw Fault{call.span(), "a determinant has at most 12 rows"};
     return call.construct().make(Operation::determinant, Type::scalar(), {matrix}, {}, call.span());
   }
   size = static_cast<int>(call.count());
@@ -57,7 +57,8 @@ Term of_two_points(const Call& call, Operation operation) {
                   "declare the dimension: 'point P in R^3', 'curve C(u) in R^3'"};
   }
   if (!(a.type() == b.type()))
-    throw Fault{call.span(), "a " + to_text(a.type()) + " and a " + to_text(b.type())};
+    throw Fault{call.span(), "both points need one dimension, and these are a " +
+                                 to_text(a.type()) + " and a " + to_text(b.type())};
   if (operation == Operation::cross && a.type().dimension != 3)
     throw Fault{call.span(), "the vector product exists in R^3 only"};
   const Type type = operation == Operation::dot ? Type::scalar() : a.type();
@@ -76,6 +77,7 @@ Term finite_sum(const Call& call) {
   const std::vector<syntax::Binder> binders = call.binders(1);
   std::vector<Term> terms;
   for (const std::vector<int>& values : call.elaborator.combinations(binders, call.scope)) {
+    call.elaborator.workshop().count_term(call.span());
     const Scope inner = Elaborator::bound(call.scope, binders, values);
     terms.push_back(call.elaborator.expression(*call.expression.arguments[0].value, inner));
   }
@@ -123,7 +125,9 @@ Term bernstein(const Call& call) {
 Term binomial(const Call& call) {
   const int n = call.whole(0, "the upper number");
   const int k = call.whole(1, "the lower number");
-  if (n < 0 || n > 4000) throw Fault{call.span(), "the upper number has to lie in 0..4000"};
+  if (n < 0 || n > 400)
+    throw Fault{call.span(),
+                "the upper number of a binomial coefficient has to lie between 0 and 400"};
   Integer result = k < 0 || k > n ? 0 : 1;
   for (int i = 1; i <= std::min(k, n - k); ++i) result = result * (n - i + 1) / i;
   return number_term(Rational{result}, call.span());

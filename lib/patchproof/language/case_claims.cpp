@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <functional>
 
-#include <patchproof/claims/joint.hpp>
 #include <patchproof/language/case_elaborator.hpp>
 #include <patchproof/language/nearest_name.hpp>
+#include <patchproof/term/plain_text.hpp>
 
 namespace patchproof {
 
@@ -21,8 +21,12 @@ Relation relation_of(const std::string& symbol) {
 
 void CaseElaborator::add_relation(Term left, Relation relation, Term right, const Span& span,
                                   const Scope& scope, Goal& goal) {
+  const std::size_t ranges = goal.ranges.size();
   std::tie(left, right) = elaborator_.construct().same_type(scope, left, right, span, goal.ranges);
   const bool order = relation != Relation::equal && relation != Relation::not_equal;
+  if (order && goal.ranges.size() > ranges)
+    throw Fault{span, "the range of '" + goal.ranges.back().parameter->name + "' is not declared",
+                "param " + goal.ranges.back().parameter->name + " in [0, 1]"};
   if (order && !left.type().is_scalar())
     throw Fault{span, "only scalars are smaller or larger, not a " + to_text(left.type())};
   goal.statements.push_back({left, relation, right, span});
@@ -81,71 +85,6 @@ void CaseElaborator::add_comparison(const syntax::Comparison& comparison, const 
   }
 }
 
-void CaseElaborator::add_joint(const syntax::Joint& joint, const Scope& scope, Goal& goal) {
-  constexpr int highest = 20;
-  if (joint.order > highest) throw Fault{joint.span, "a joint of an order above 20"};
-  Construction& construct = elaborator_.construct();
-  const auto edge_of = [&](const syntax::Edge& edge) {
-    JointEdge result;
-    result.function = elaborator_.name(edge.patch.text, edge.patch.span, scope);
-    if (!result.function.type().is_function())
-      throw Fault{edge.patch.span, "'" + edge.patch.text + "' is a " +
-                                       to_text(result.function.type()) + ", not a curve or patch"};
-    const auto& names = result.function.type().parameters;
-    const auto place = std::find(names.begin(), names.end(), edge.parameter.text);
-    if (place == names.end())
-      throw Fault{edge.parameter.span, "'" + edge.parameter.text + "' is not a parameter of '" +
-                                           edge.patch.text + "', a " +
-                                           to_text(result.function.type()),
-                  did_you_mean(edge.parameter.text, names)};
-    result.crossing = static_cast<std::size_t>(place - names.begin());
-    result.value =
-        construct.scalar(scope, elaborator_.expression(*edge.value, scope), "the place of an edge");
-    Term lower = number_term(0);
-    Term upper = number_term(1);
-    for (const ParameterRange& range : ranges_) {
-      if (range.parameter->name != edge.parameter.text) continue;
-      lower = range.lower;
-      upper = range.upper;
-    }
-    const auto same = [&](const Term& end) {
-      if (end.is_number() && result.value.is_number()) return end.number() == result.value.number();
-      return end.operation() == Operation::symbol &&
-             result.value.operation() == Operation::symbol &&
-             end.symbol()->ordinal == result.value.symbol()->ordinal;
-    };
-    if (!same(lower) && !same(upper))
-      throw Fault{edge.value->span,
-                  "an edge of '" + edge.patch.text + "' lies at an end of the range of '" +
-                      edge.parameter.text + "'"};
-    result.at_end = same(upper);
-    return result;
-  };
-  const JointEdge first = edge_of(joint.first);
-  const JointEdge second = edge_of(joint.second);
-  const Type& a = first.function.type();
-  const Type& b = second.function.type();
-  if (a.parameters.size() != b.parameters.size() || !(*a.inner == *b.inner))
-    throw Fault{joint.span, "a " + to_text(a) + " cannot be joined to a " + to_text(b)};
-  std::vector<Term> along;
-  for (std::size_t k = 0; k < a.parameters.size(); ++k) {
-    if (k == first.crossing) continue;
-    const std::string& name = a.parameters[k];
-    const Entity* entity = scope.find(name);
-    if (entity != nullptr && entity->kind == Entity::Kind::term &&
-        entity->term.operation() == Operation::symbol &&
-        entity->term.symbol()->role == Symbol::Role::parameter) {
-      along.push_back(entity->term);
-      continue;
-    }
-    const SymbolPointer symbol = workshop_.symbol(name, Symbol::Role::parameter, Type::scalar());
-    goal.ranges.push_back({symbol, number_term(0), number_term(1)});
-    along.push_back(symbol_term(symbol, joint.span));
-  }
-  for (Statement& s : joint_equations(first, second, joint.order, along, joint.span))
-    goal.statements.push_back(std::move(s));
-}
-
 Goal CaseElaborator::goal_of(const syntax::Proposition& proposition, const Scope& scope) {
   Goal goal;
   goal.ranges = ranges_;
@@ -202,7 +141,7 @@ std::vector<SymbolPointer> CaseElaborator::unknowns_of(const Term& term, const S
     for (const Term& entry : term.children()) add(entry);
   const std::vector<SymbolPointer>& result = holes.empty() ? all : holes;
   if (result.empty())
-    throw Fault{span, "nothing unknown here: derive needs points, scalars, or a matrix with '?'"};
+    throw Fault{span, "nothing here is unknown: derive needs points, scalars, or a matrix with '?'"};
   return result;
 }
 
@@ -233,8 +172,8 @@ void CaseElaborator::derive(const syntax::Statement& statement, const Scope& sco
       throw Fault{s.span, "unknowns are derived from equations, written '=='"};
   if (!statement.gives.empty() && statement.gives.size() != unknown_terms.size())
     throw Fault{statement.gives.front()->span,
-                std::to_string(unknown_terms.size()) + " unknowns and " +
-                    std::to_string(statement.gives.size()) + " values"};
+                "as many values as unknowns are needed: " + std::to_string(unknown_terms.size()) +
+                    ", not " + std::to_string(statement.gives.size())};
   Goal gives;
   for (std::size_t k = 0; k < statement.gives.size(); ++k) {
     const syntax::Expression& e = *statement.gives[k];

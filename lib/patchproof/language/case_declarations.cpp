@@ -80,7 +80,7 @@ void CaseElaborator::declare_parameters(const syntax::Statement& statement) {
     if (lower.is_number() && upper.is_number() && lower.number() >= upper.number())
       throw Fault{group.range.span, "the empty range [" + to_text(lower.number()) + ", " +
                                         to_text(upper.number()) + "]",
-                  "the lower end comes first"};
+                  "the lower end comes first, and is smaller than the upper one"};
     for (const syntax::Name& name : group.names) {
       require_new(name);
       const SymbolPointer symbol =
@@ -93,14 +93,16 @@ void CaseElaborator::declare_parameters(const syntax::Statement& statement) {
 
 Term CaseElaborator::array(const Declarator& declarator, Symbol::Role role, const Type& type) {
   const Span& span = declarator.name.span;
-  if (declarator.extents.size() > 2) throw Fault{span, "an array of more than two dimensions"};
+  if (declarator.extents.size() > 2) throw Fault{span, "an array has one or two dimensions"};
   constexpr int most = 400;
   std::vector<int> counts;
   for (const syntax::Interval& interval : declarator.extents) {
     const auto [first, last] = elaborator_.interval(interval, scope_);
     if (first != 0) throw Fault{span, "the indices of an array start at 0, not at " + std::to_string(first)};
-    if (last < 0) throw Fault{span, "an array without entries"};
-    if (last >= most) throw Fault{span, "an array of more than " + std::to_string(most) + " entries in one direction"};
+    if (last < 0) throw Fault{span, "an array needs at least one entry"};
+    if (last >= most)
+      throw Fault{span, "an array has at most " + std::to_string(most) +
+                            " entries in one direction"};
     counts.push_back(last + 1);
   }
   const bool list = counts.size() == 1;

@@ -23,15 +23,17 @@ void set_limit(const WrittenStatement& statement, Limits& limits, std::vector<Di
   if (kind == "time") {
     if (!unit.empty() && unit != "s" && unit != "ms") return wrong_unit("time is given in s or ms");
     const Rational milliseconds = unit == "ms" ? value : Rational{value * 1000};
-    limits.time = std::chrono::milliseconds{whole(milliseconds, Rational{86'400'000})};
+    limits.time = std::min(limits.time,
+                           std::chrono::milliseconds{whole(milliseconds, Rational{86'400'000})});
   } else if (kind == "memory") {
     if (!unit.empty() && unit != "MB" && unit != "GB")
       return wrong_unit("memory is given in MB or GB");
-    limits.memory = whole(value * (unit == "GB" ? 1'073'741'824 : 1'048'576), most);
+    limits.memory = std::min<std::size_t>(
+        limits.memory, whole(value * (unit == "GB" ? 1'073'741'824 : 1'048'576), most));
   } else if (kind == "terms") {
-    limits.terms = whole(value, most);
+    limits.terms = std::min<std::size_t>(limits.terms, whole(value, most));
   } else {
-    limits.steps = whole(value, most);
+    limits.steps = std::min(limits.steps, whole(value, most));
   }
 }
 

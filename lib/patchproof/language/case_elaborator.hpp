@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <patchproof/claims/claim.hpp>
+#include <patchproof/claims/joint.hpp>
 #include <patchproof/language/elaborator.hpp>
 
 namespace patchproof {
@@ -58,6 +59,9 @@ class CaseElaborator {
                     Goal& goal);
   void add_boundary_relation(const Term& left, const Term& right, const Span& span,
                              const Scope& scope, Goal& goal);
+  std::pair<Term, Term> range_of(const std::string& parameter) const;
+  void require_equal_ranges(const JointEdge& first, const JointEdge& second,
+                            const Span& span) const;
   void add_joint(const syntax::Joint& joint, const Scope& scope, Goal& goal);
   std::vector<SymbolPointer> unknowns_of(const Term& term, const Span& span) const;
   void check_uses(const syntax::Statement& statement, Claim& claim);

@@ -2,17 +2,26 @@
 
 namespace patchproof {
 
+namespace {
+
+void require_different(const std::vector<syntax::Name>& parameters) {
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    for (std::size_t earlier = 0; earlier < k; ++earlier)
+      if (parameters[earlier].text == parameters[k].text)
+        throw Fault{parameters[k].span,
+                    "the parameter '" + parameters[k].text + "' occurs twice"};
+}
+
+}  // namespace
 
 Formals CaseElaborator::formals_of(const std::vector<syntax::Name>& names, Scope& inner) {
   Formals formals;
+  require_different(names);
   for (const syntax::Name& name : names) {
     const Entity* entity = scope_.find(name.text);
     const bool parameter = entity != nullptr && entity->kind == Entity::Kind::term &&
                            entity->term.operation() == Operation::symbol &&
                            entity->term.symbol()->role == Symbol::Role::parameter;
-    for (const SymbolPointer& formal : formals)
-      if (formal->name == name.text)
-        throw Fault{name.span, "the parameter '" + name.text + "' occurs twice"};
     formals.push_back(parameter ? entity->term.symbol()
                                 : workshop_.symbol(name.text, Symbol::Role::bound, Type::scalar()));
     inner.declare(name.text, symbol_term(formals.back(), name.span));
@@ -22,6 +31,7 @@ Formals CaseElaborator::formals_of(const std::vector<syntax::Name>& names, Scope
 
 Term CaseElaborator::unknown_function(const syntax::Statement& statement,
                                       const syntax::Declarator& declarator, const Type& value) {
+  require_different(declarator.parameters);
   std::vector<std::string> names;
   for (const syntax::Name& name : declarator.parameters) names.push_back(name.text);
   const int smoothness = statement.smoothness ? statement.smoothness->order : 0;
@@ -41,6 +51,7 @@ Term CaseElaborator::degree_function(const syntax::Statement& statement,
   for (const int degree : degrees)
     if (degree < 0 || degree > highest)
       throw Fault{span, "a degree has to lie between 0 and " + std::to_string(highest)};
+  require_different(declarator.parameters);
   Construction& construct = elaborator_.construct();
   std::vector<std::string> names;
   for (const syntax::Name& name : declarator.parameters) names.push_back(name.text);

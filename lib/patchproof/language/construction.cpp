@@ -62,7 +62,7 @@ Term Construction::apply(const Term& function, std::vector<Term> arguments, cons
     throw Fault{span, to_text(function, 40) + " is a " + to_text(type) + ", not a function",
                 "multiplication is written '*'"};
   if (arguments.size() != type.parameters.size())
-    throw Fault{span, to_text(type) + " takes " + std::to_string(type.parameters.size()) +
+    throw Fault{span, "a " + to_text(type) + " takes " + std::to_string(type.parameters.size()) +
                           " argument" + (type.parameters.size() == 1 ? "" : "s") + ", not " +
                           std::to_string(arguments.size())};
   for (const Term& argument : arguments)
@@ -78,7 +78,7 @@ Term Construction::derivative(const Term& function, Indices orders, const Span& 
     throw Fault{span, "only functions have derivatives, this is a " + to_text(function.type())};
   constexpr int highest = 64;
   if (std::any_of(orders.begin(), orders.end(), [](int order) { return order > highest; }))
-    throw Fault{span, "a derivative of an order above " + std::to_string(highest)};
+    throw Fault{span, "the order of a derivative is at most " + std::to_string(highest)};
   return make(Operation::derivative, function.type(), {function}, std::move(orders), span);
 }
 
@@ -209,14 +209,16 @@ Term Construction::power(const Term& base, const Term& exponent, const Span& spa
   constexpr std::size_t longest_result = 100'000;
   const long n = whole_number(exponent, "an exponent");
   if (std::abs(n) > largest_power)
-    throw Fault{exponent.span(), "an exponent beyond " + std::to_string(largest_power)};
+    throw Fault{exponent.span(), "an exponent lies between -" + std::to_string(largest_power) +
+                                     " and " + std::to_string(largest_power)};
   if (!base.type().is_scalar())
     throw Fault{span, "only scalars have powers, this is a " + to_text(base.type()),
                 base.type().is_point() ? "the square of a vector is dot(p, p)" : ""};
   if (!base.is_number()) return make(Operation::power, Type::scalar(), {base}, n, span);
   if (base.number() == 0 && n < 0) throw Fault{span, "division by zero"};
   if (bit_length(base.number()) * static_cast<std::size_t>(std::abs(n)) > longest_result)
-    throw Fault{span, "a number of more than " + std::to_string(longest_result) + " binary digits"};
+    throw Fault{span, "this number has more than " + std::to_string(longest_result) +
+                          " binary digits"};
   return number_term(patchproof::power(base.number(), n), span);
 }
 

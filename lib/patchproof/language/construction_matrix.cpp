@@ -24,7 +24,7 @@ Type entry_type(const std::vector<Term>& entries) {
 
 Term Construction::tuple(const Scope& scope, std::vector<Term> coordinates, const Span& span) {
   constexpr std::size_t most = 9;
-  if (coordinates.size() > most) throw Fault{span, "a point of more than 9 coordinates"};
+  if (coordinates.size() > most) throw Fault{span, "a point has at most 9 coordinates"};
   for (Term& c : coordinates) c = scalar(scope, c, "a coordinate");
   const auto dimension = static_cast<int>(coordinates.size());
   return make(Operation::tuple, Type::point(dimension), std::move(coordinates), {}, span);
@@ -36,7 +36,7 @@ Term Construction::list(std::vector<Term> entries, const Span& span) {
   for (Term& entry : entries) {
     if (is_zero(entry)) entry = zero(type, entry.span());
     if (!(entry.type() == type) || type.is_matrix() || type.is_function())
-      throw Fault{entry.span(), "the entries of a list have to be scalars or points of one kind"};
+      throw Fault{entry.span(), "the entries of a list are scalars, or points of one dimension"};
   }
   return make(Operation::matrix, Type::matrix(count, 1, type, true), std::move(entries), {}, span);
 }
@@ -54,8 +54,8 @@ Term Construction::matrix(const Scope& scope, std::vector<std::vector<Term>> row
                                     to_text(type)};
     if (!(entry.type() == type))
       throw Fault{entry.span(),
-                  "a " + to_text(entry.type()) + " in a matrix whose other entries are a " +
-                      to_text(type)};
+                  "the entries of a matrix are of one type, and this is a " +
+                      to_text(entry.type()) + " beside a " + to_text(type)};
   }
   const auto row_count = static_cast<int>(rows.size());
   const auto columns = static_cast<int>(rows.front().size());
@@ -98,12 +98,14 @@ Term Construction::slice(const Term& matrix, const std::vector<std::pair<int, in
                          const Span& span) {
   const Type& type = matrix.type();
   if (!type.is_matrix() || ranges.size() != (type.list ? 1U : 2U))
-    throw Fault{span, "a part of a " + to_text(type) + " cannot be taken like this"};
+    throw Fault{span, "a part of a " + to_text(type) + " cannot be taken like this",
+                type.is_matrix() ? (type.list ? "as in b[0..1]" : "as in M[0..1, 0..1]") : ""};
   const std::pair<int, int> rows = ranges.front();
   const std::pair<int, int> columns = type.list ? std::pair{0, 0} : ranges.back();
   for (const auto& [first, last] : {rows, columns})
     if (last < first)
-      throw Fault{span, "the empty span " + std::to_string(first) + ".." + std::to_string(last)};
+      throw Fault{span, "the span " + std::to_string(first) + ".." + std::to_string(last) +
+                            " is empty"};
   require_inside(rows.first, type.rows, span);
   require_inside(rows.second, type.rows, span);
   require_inside(columns.first, type.columns, span);

@@ -27,7 +27,7 @@ Term Construction::matrix_product(const std::vector<Term>& factors, const Span& 
                   "a " + to_text(type) + " cannot be multiplied by a " + to_text(next),
                   "the columns of the first have to be as many as the rows of the second"};
     if (type.inner->is_point() && next.inner->is_point())
-      throw Fault{factors[k].span(), "a product of two matrices of points"};
+      throw Fault{factors[k].span(), "two matrices of points cannot be multiplied"};
     const Type entry = type.inner->is_point() ? *type.inner : *next.inner;
     type = Type::matrix(type.rows, next.columns, entry);
   }
@@ -46,7 +46,9 @@ Term Construction::scalar_product(const Scope& scope, const std::vector<Term>& t
     const Term factor = value(scope, term);
     only_numbers = only_numbers && factor.is_number();
     if (factor.is_number()) number *= factor.number();
-    if (bit_length(number) > longest_number_bits) throw Fault{span, "a number with too many digits"};
+    if (bit_length(number) > longest_number_bits)
+      throw Fault{span, "this number has more than " + std::to_string(longest_number_bits) +
+                            " binary digits"};
     if (factor.type().is_scalar())
       scalars.push_back(factor);
     else
@@ -58,7 +60,7 @@ Term Construction::scalar_product(const Scope& scope, const std::vector<Term>& t
         matrices.size() == 1 ? matrices.front() : matrix_product(matrices, span);
     if (whole.type().is_matrix()) {
       if (!points.empty())
-        throw Fault{points.front().span(), "a product of a point and a matrix"};
+        throw Fault{points.front().span(), "a point and a matrix cannot be multiplied"};
       if (scalars.empty()) return whole;
       scalars.push_back(whole);
       return make(Operation::product, whole.type(), std::move(scalars), {}, span);
@@ -66,7 +68,7 @@ Term Construction::scalar_product(const Scope& scope, const std::vector<Term>& t
     (whole.type().is_scalar() ? scalars : points).push_back(whole);
   }
   if (points.size() > 1)
-    throw Fault{points[1].span(), "a product of two points",
+    throw Fault{points[1].span(), "two points cannot be multiplied",
                 "the scalar product is dot(a, b), the vector product cross(a, b)"};
   const Type type = points.empty() ? Type::scalar() : points.front().type();
   scalars.insert(scalars.end(), points.begin(), points.end());
@@ -89,7 +91,8 @@ Term Construction::product(const Scope& scope, std::vector<Term> terms, const st
       for (const Term& term : terms) {
         const bool fits = !is_function(term) || term.type().parameters.size() == formals.size();
         if (!fits)
-          throw Fault{term.span(), "a product of functions of different numbers of parameters"};
+          throw Fault{term.span(),
+                      "functions of different numbers of parameters cannot be multiplied"};
         values.push_back(is_function(term) ? apply(term, formals, span) : term);
       }
       return product(scope, std::move(values), signs, span);

@@ -39,8 +39,8 @@ std::vector<Rational> given_knots(const syntax::Expression& e, int points, int d
       throw Fault{list.child(k).span(), "knots must not decrease"};
     multiplicity = knots[k] == knots[k - 1] ? multiplicity + 1 : 1;
     if (multiplicity > degree + 1)
-      throw Fault{list.child(k).span(), "a knot of multiplicity above degree + 1 = " +
-                                            std::to_string(degree + 1)};
+      throw Fault{list.child(k).span(), "a knot occurs at most degree + 1 = " +
+                                            std::to_string(degree + 1) + " times"};
   }
   const auto p = static_cast<std::size_t>(degree);
   if (knots[p] == knots[knots.size() - 1 - p])

@@ -32,35 +32,54 @@ std::vector<std::string> names_of(const std::vector<syntax::Name>& names) {
 
 }  // namespace
 
-// A curve or patch given as an expression in parameters, like b(u,0), is the function of them.
-Term Elaborator::as_function(const syntax::Formal& formal, const Term& given) {
+// A curve or patch given as an expression in parameters, like b(u,0), is the function of them. The
+// parameter meant is the one that has the wanted name where the expression stands; an expression
+// in a single parameter of another name is a curve all the same.
+Term Elaborator::as_function(const syntax::Formal& formal, const Term& given, const Scope& scope) {
   std::vector<std::string> wanted = names_of(formal.type.parameters);
   if (wanted.empty()) wanted = {"t"};
   if (given.type().is_function()) {
-    if (given.type().parameters.size() == wanted.size()) return given;
-    throw Fault{given.span(), "a " + to_text(given.type()) + " where a " + in_words(formal.type) +
-                                  " is needed"};
+    if (given.type().parameters.size() != wanted.size())
+      throw Fault{given.span(), "a " + to_text(given.type()) + " where a " +
+                                    in_words(formal.type) + " is needed"};
+    if (given.type().parameters == wanted) return given;
+    // The definition speaks of its parameters by its own names.
+    return construct_.function(wanted, given.span(), [&](const std::vector<Term>& formals) {
+      return construct_.apply(given, formals, given.span());
+    });
   }
   std::vector<SymbolPointer> parameters;
   for (const auto& [ordinal, symbol] : free_symbols(given))
     if (symbol->role == Symbol::Role::parameter || symbol->role == Symbol::Role::bound)
       parameters.push_back(symbol);
-  if (parameters.empty())
-    return construct_.function(wanted, given.span(), [&](const std::vector<Term>&) { return given; });
   Formals formals;
   for (const std::string& name : wanted) {
-    const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                    [&](const SymbolPointer& p) { return p->name == name; });
-    if (found != parameters.end()) formals.push_back(*found);
+    const Entity* entity = scope.find(name);
+    if (entity == nullptr || entity->kind != Entity::Kind::term ||
+        entity->term.operation() != Operation::symbol)
+      continue;
+    const SymbolPointer& symbol = entity->term.symbol();
+    const bool occurs =
+        std::any_of(parameters.begin(), parameters.end(),
+                    [&](const SymbolPointer& p) { return p->ordinal == symbol->ordinal; });
+    if (occurs) formals.push_back(symbol);
   }
-  if (formals.size() != wanted.size()) {
-    if (parameters.size() != wanted.size())
-      throw Fault{given.span(), "it is not clear which parameter this " + in_words(formal.type) +
-                                    " runs over",
-                  "it should depend on one parameter; name a curve with 'curve C(u) = ...'"};
-    formals.assign(parameters.begin(), parameters.end());
-  }
-  return construct_.lambda(formals, given, given.span());
+  if (formals.empty() && parameters.empty())
+    return construct_.function(wanted, given.span(), [&](const std::vector<Term>&) { return given; });
+  if (formals.empty() && wanted.size() == 1 && parameters.size() == 1) formals = {parameters.front()};
+  if (formals.size() != wanted.size())
+    throw Fault{given.span(),
+                "it is not clear which parameter" + std::string{wanted.size() > 1 ? "s" : ""} +
+                    " this " + in_words(formal.type) + " runs over",
+                wanted.size() == 1
+                    ? "it should depend on '" + wanted.front() + "'; or declare it: 'curve C(" +
+                          wanted.front() + ") = ...'"
+                    : "declare it as a patch: 'patch p(u, v) = ...'"};
+  const Term function = construct_.lambda(formals, given, given.span());
+  if (function.type().parameters == wanted) return function;
+  return construct_.function(wanted, given.span(), [&](const std::vector<Term>& at) {
+    return construct_.apply(function, at, given.span());
+  });
 }
 
 // A matrix of one row or one column as a list.
@@ -91,7 +110,7 @@ Term Elaborator::argument(const syntax::Formal& formal, const Term& given, const
     case Kind::patch: {
       const Term plain = given.type().is_matrix() ? decayed(given) : given;
       if (plain.type().is_matrix()) return wrong();
-      const Term function = as_function(formal, plain);
+      const Term function = as_function(formal, plain, scope);
       const bool scalar_needed = formal.type.kind == Kind::scalar_function;
       if (scalar_needed && !function.type().inner->is_scalar()) return wrong();
       if (function.type().inner->is_matrix()) return wrong();

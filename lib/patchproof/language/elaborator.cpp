@@ -27,6 +27,15 @@ std::optional<Indices> orders_of(std::string_view suffix,
   return orders;
 }
 
+// A declared term where it is mentioned: what is wrong with it there is to be shown there, not at
+// its declaration.
+Term mentioned(const Term& term, const Span& span) {
+  const Span& own = term.span();
+  const bool here = own.source != span.source || (span.begin <= own.begin && own.end <= span.end);
+  if (here) return term;
+  return make_term(term.operation(), term.type(), term.children(), term->payload, span);
+}
+
 }  // namespace
 
 void Elaborator::unknown_name(const std::string& text, const Span& span, const Scope& scope) {
@@ -72,7 +81,8 @@ Term Elaborator::name(const std::string& text, const Span& span, const Scope& sc
           orders_of(base.substr(underscore + 1), entity->term.type().parameters);
       if (!orders)
         throw Fault{span, "'" + base + "' is not a derivative of '" + base.substr(0, underscore) +
-                              "', a " + to_text(entity->term.type())};
+                              "', a " + to_text(entity->term.type()),
+                    "parameters mark derivatives, as in r_u and r_uv"};
       return construct_.derivative(entity->term, *orders, span);
     }
   }
@@ -92,6 +102,15 @@ std::vector<std::vector<int>> Elaborator::combinations(const std::vector<syntax:
                                                        const Scope& scope, std::size_t most) {
   std::vector<std::vector<int>> result{{}};
   for (const syntax::Binder& binder : binders) {
+    if (const Entity* hidden = scope.find(binder.name.text))
+      throw Fault{binder.name.span,
+                  "the running index '" + binder.name.text + "' would hide what is declared " +
+                      (hidden->declared.source
+                           ? "on line " + std::to_string(position_of(*hidden->declared.source,
+                                                                     hidden->declared.begin)
+                                                             .line)
+                           : "under that name"),
+                  "choose another name"};
     const auto [first, last] = interval(binder.interval, scope);
     if (last < first)
       throw Fault{binder.name.span, "'" + binder.name.text + "' runs over the empty span " +
@@ -136,7 +155,11 @@ const Spline& Elaborator::spline(const syntax::Expression& e, const Scope& scope
 }
 
 Term Elaborator::index(const syntax::Expression& e, const Scope& scope) {
-  const Term base = expression(*e.operands.front(), scope);
+  // Not `expression`: that would copy a whole array for each of its entries.
+  const syntax::Expression& array = *e.operands.front();
+  const Term base = array.kind == syntax::Expression::Kind::name
+                        ? name(array.text, array.span, scope)
+                        : expression(array, scope);
   bool spans = false;
   for (const syntax::Argument& argument : e.arguments) {
     if (argument.binder) throw Fault{e.span, "an index cannot run"};
@@ -166,7 +189,7 @@ Term Elaborator::expression(const syntax::Expression& e, const Scope& scope) {
   };
   switch (e.kind) {
     case Kind::number: return number_term(e.number, e.span);
-    case Kind::name: return name(e.text, e.span, scope);
+    case Kind::name: return mentioned(name(e.text, e.span, scope), e.span);
     case Kind::hole:
       throw Fault{e.span, "'?' stands for an unknown entry of a matrix and nothing else",
                   "as in: matrix M = [?, (0,1) ; (1,0), (1,1)]"};

@@ -53,7 +53,7 @@ class Elaborator {
   Term expanded(const syntax::Definition& definition, Scope& inside, std::vector<Term> arguments,
                 const Span& span);
   Term argument(const syntax::Formal& formal, const Term& given, const Scope& scope);
-  Term as_function(const syntax::Formal& formal, const Term& given);
+  Term as_function(const syntax::Formal& formal, const Term& given, const Scope& scope);
   Term as_list(const Term& given);
   Term definition_as_function(const syntax::Definition& definition, const Span& span);
   [[noreturn]] void unknown_name(const std::string& text, const Span& span, const Scope& scope);

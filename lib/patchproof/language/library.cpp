@@ -21,21 +21,26 @@ class NameCheck {
   NameCheck(const Library& library, const syntax::Definition& definition,
             std::vector<Diagnostic>& diagnostics)
       : library_{library}, definition_{definition}, diagnostics_{diagnostics} {
-    for (const syntax::Formal& formal : definition.formals) known_.insert(formal.name.text);
-    for (const syntax::Name& name : definition.result.parameters) known_.insert(name.text);
+    for (const syntax::Formal& formal : definition.formals) add_new(formal.name);
+    for (const syntax::Name& name : definition.result.parameters) add_new(name);
   }
 
   void run() {
     for (const syntax::Statement& statement : definition_.statements) {
       for (const syntax::Declarator& local : statement.declarators) {
         if (local.value) look(*local.value);
-        known_.insert(local.name.text);
+        add_new(local.name);
       }
     }
     if (definition_.value) look(*definition_.value);
   }
 
  private:
+  void add_new(const syntax::Name& name) {
+    if (!known_.insert(name.text).second)
+      diagnostics_.push_back({name.span, "'" + name.text + "' is declared twice in this definition", ""});
+  }
+
   void look(const Expression& e) {
     if (e.kind == Expression::Kind::name) check(e);
     std::set<std::string> bound;
@@ -70,6 +75,7 @@ class NameCheck {
     }
     std::vector<std::string> names{known_.begin(), known_.end()};
     names.insert(names.end(), library_.names().begin(), library_.names().end());
+    for (const std::string& builtin : builtin_names()) names.push_back(builtin);
     diagnostics_.push_back({e.span, "unknown name '" + base + "'", did_you_mean(base, names)});
   }
 

@@ -84,7 +84,9 @@ std::vector<Diagnostic> readable(std::vector<Diagnostic> diagnostics) {
   std::vector<Diagnostic> result = in_order(std::move(diagnostics));
   if (all > result.size() && !result.empty())
     result.push_back({result.back().span,
-                      "and " + std::to_string(all - result.size()) + " more mistakes", ""});
+                      "and " + std::to_string(all - result.size()) +
+                          (all == result.size() + 1 ? " more mistake" : " more mistakes"),
+                      ""});
   return result;
 }
 
