@@ -156,6 +156,9 @@ TEST_CASE("A file of 300 lines is found", "[architecture][reject]") {
   CHECK(long_files(tree_of(term, std::string(300, '\n'))) ==
         Breaches{"lib/patchproof/term/term.cpp: 300 lines"});
   CHECK(long_files(tree_of(term, std::string(299, '\n'))) == Breaches{});
+  CHECK(long_files(tree_of("tests/term/term_test.cpp", std::string(399, '\n'))) == Breaches{});
+  CHECK(long_files(tree_of("tests/term/term_test.cpp", std::string(400, '\n'))) ==
+        Breaches{"tests/term/term_test.cpp: 400 lines"});
   CHECK(long_files(tree_of("docs/long.md", std::string(300, '\n'))) == Breaches{});
 }
 

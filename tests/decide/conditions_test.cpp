@@ -167,4 +167,16 @@ swapped REFUTED
 )~") == "start PROVED uses order\n");
 }
 
+TEST_CASE("conditions on numbers are decided, not left open") {
+  CHECK(verdict("", "pi/pi == 1") == "PROVED");
+  CHECK(verdict("", "(pi - 3)/(pi - 3) == 1") == "PROVED");
+  CHECK(verdict("", "sqrt(pi - 3)^2 == pi - 3") == "PROVED");
+  CHECK(verdict("", "sqrt(1 - pi) == sqrt(1 - pi)") == "ERROR");
+  CHECK(verdict("", "1/(sqrt(2) - 7/5) == 1/(sqrt(2) - 7/5)") == "PROVED");
+  // A divisor that is zero in a way the kernel cannot see.
+  const std::string zero = "(sqrt(3 - 2*sqrt(2)) - sqrt(2) + 1)";
+  CHECK(verdict("", zero + "/" + zero + " == 1") == "UNKNOWN");
+  CHECK(verdict("", "1/" + zero + " == 1/" + zero) == "UNKNOWN");
+}
+
 }  // namespace patchproof

@@ -42,6 +42,14 @@ inline std::string line_of(const ClaimResult& result) {
   return line + "\n";
 }
 
+/// One line for each claim of all cases of a whole text.
+inline std::string verdicts_of(const std::string& text, const Limits& limits = {}) {
+  std::string lines;
+  for (const CaseResult& result : results_of(text, limits))
+    for (const ClaimResult& claim : result.claims) lines += line_of(claim);
+  return lines;
+}
+
 /// The lines of all claims of the statements of one case.
 inline std::string verdicts(const std::string& statements, const Limits& limits = {}) {
   std::string lines;

@@ -16,7 +16,7 @@ bool overlap(const Enclosure& a, const Enclosure& b) { return a.low <= b.high &&
 
 // The value of the fraction agrees with an enclosure of the true number.
 bool agrees(const Fraction& value, const Enclosure& truth, Tools& t) {
-  const auto found = enclosure(value, t.workspace.atoms, bits);
+  const auto found = enclosure(value, t.workspace.atoms, bits, t.budget);
   return found && overlap(*found, truth) && found->high - found->low < Rational(1, 1'000'000);
 }
 
@@ -150,7 +150,9 @@ TEST_CASE("the root of a polynomial squares to it and needs it not to be negativ
 TEST_CASE("signs of exact numbers are certain or not given", "[law]") {
   Tools t;
   Conditions conditions;
-  const auto sign_of = [&](const Fraction& x) { return certain_sign(x, t.workspace.atoms); };
+  const auto sign_of = [&](const Fraction& x) {
+    return certain_sign(x, t.workspace.atoms, t.budget);
+  };
   const auto root = [&](int n) { return square_root(Rational{n}, conditions, t.workspace); };
   CHECK(sign_of(t.minus(root(2), Rational(7, 5))) == 1);
   CHECK(sign_of(t.minus(root(2), Rational(17, 12))) == -1);

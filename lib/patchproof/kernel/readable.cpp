@@ -1,6 +1,7 @@
 #include <patchproof/kernel/readable.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace patchproof {
 
@@ -26,22 +27,13 @@ class Writer {
   Writer(const Atoms& atoms, Budget& budget, std::size_t longest)
       : atoms_{atoms}, budget_{budget}, longest_{longest} {}
 
-  std::string variable(Variable v) {
-    const Atom& atom = atoms_[v];
-    const auto with_component = [&](const Type& type, std::string text) {
-      if (!type.is_point() || type.dimension == Type::any_dimension) return text;
-      return text + (atom.component < 3 ? "." + std::string(1, "xyz"[atom.component])
-                                        : "[" + std::to_string(atom.component) + "]");
-    };
-    switch (atom.kind) {
-      case Atom::Kind::symbol: return with_component(atom.symbol->type, atom.symbol->name);
-      case Atom::Kind::slot:
-        return atom.symbol->type.parameters.at(static_cast<std::size_t>(atom.component));
-      case Atom::Kind::pi: return "pi";
-      case Atom::Kind::jet: return with_component(*atom.symbol->type.inner, jet(atom));
-      default:
-        return std::string{name_of(atom.kind)} + "(" + fraction(atom.arguments.front()) + ")";
-    }
+  // Remembered and cut off: nested functions would be written out again and again.
+  const std::string& variable(Variable v) {
+    const auto known = names_.find(v);
+    if (known != names_.end()) return known->second;
+    std::string name = computed_name(v);
+    if (name.size() > longest_) name = name.substr(0, longest_) + "…";
+    return names_.emplace(v, std::move(name)).first->second;
   }
 
   std::string fraction(const Fraction& f) {
@@ -60,6 +52,24 @@ class Writer {
   }
 
  private:
+  std::string computed_name(Variable v) {
+    const Atom& atom = atoms_[v];
+    const auto with_component = [&](const Type& type, std::string text) {
+      if (!type.is_point() || type.dimension == Type::any_dimension) return text;
+      return text + (atom.component < 3 ? "." + std::string(1, "xyz"[atom.component])
+                                        : "[" + std::to_string(atom.component) + "]");
+    };
+    switch (atom.kind) {
+      case Atom::Kind::symbol: return with_component(atom.symbol->type, atom.symbol->name);
+      case Atom::Kind::slot:
+        return atom.symbol->type.parameters.at(static_cast<std::size_t>(atom.component));
+      case Atom::Kind::pi: return "pi";
+      case Atom::Kind::jet: return with_component(*atom.symbol->type.inner, jet(atom));
+      default:
+        return std::string{name_of(atom.kind)} + "(" + fraction(atom.arguments.front()) + ")";
+    }
+  }
+
   std::string jet(const Atom& atom) {
     std::string text = atom.symbol->name;
     if (atom.orders.size() == 1) {
@@ -232,6 +242,7 @@ class Writer {
   const Atoms& atoms_;
   Budget& budget_;
   std::size_t longest_;
+  std::map<Variable, std::string> names_;
 };
 
 }  // namespace
