@@ -157,6 +157,19 @@ end
             .find("PROVED") == std::string::npos);
 }
 
+TEST_CASE("inequalities between numbers are settled by enclosures") {
+  CHECK(verdicts_of(R"(
+case c
+  prove root: sqrt(2) > 1
+  prove pi: pi != 22/7
+  refute pi_large: pi >= 22/7
+  prove points: (1, 2) != (1, 3)
+  prove points_too: (1, 2) != (0, 2)
+  refute same: (1, 2) != (1, 2)
+end
+)") == "root PROVED\npi PROVED\npi_large REFUTED\npoints PROVED\npoints_too PROVED\nsame REFUTED\n");
+}
+
 TEST_CASE("nested functions end within the limits") {
   std::string text = "case a\n  scalar x\n  let k0 = x + 1\n";
   for (int k = 1; k <= 40; ++k)

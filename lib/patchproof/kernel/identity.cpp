@@ -66,6 +66,25 @@ bool vanishes(const Fraction& d, const Hypotheses& hypotheses, Workspace& w) {
   return false;
 }
 
+// An inequality between numbers alone, where their difference has a certain sign.
+std::optional<bool> number_relation(Relation relation, const Fraction& d, Workspace& w) {
+  if (relation == Relation::equal || !d.is_polynomial()) return std::nullopt;
+  for (const Variable v : variables_within(d.numerator(), w.atoms)) {
+    const Atom::Kind atom = w.atoms[v].kind;
+    if (atom == Atom::Kind::symbol || atom == Atom::Kind::jet || atom == Atom::Kind::slot)
+      return std::nullopt;
+  }
+  const std::optional<int> sign = certain_sign(d, w.atoms, w.budget);
+  if (!sign) return std::nullopt;
+  switch (relation) {
+    case Relation::not_equal: return *sign != 0;
+    case Relation::less: return *sign < 0;
+    case Relation::less_equal: return *sign <= 0;
+    case Relation::greater: return *sign > 0;
+    default: return *sign >= 0;
+  }
+}
+
 bool order_holds(Relation relation, const Fraction& d, const SignFacts& facts, Workspace& w) {
   const Polynomial p = sign_polynomial(d, w);
   const Polynomial minus = scaled(p, -1);
@@ -96,10 +115,14 @@ Finding finding(const Goal& goal, Evaluator& evaluator, Hypotheses& hypotheses,
       const Fraction d =
           normal_form(hypotheses.reduced(normal_form(plain, workspace)), workspace);
       bool good = vanishes(d, hypotheses, workspace);
+      const std::optional<bool> settled = number_relation(statement.relation, d, workspace);
       if (statement.relation == Relation::not_equal) {
         some_never_equal =
-            some_never_equal || hypotheses.facts().never_zero(d.numerator(), workspace.budget);
+            some_never_equal ||
+            settled.value_or(hypotheses.facts().never_zero(d.numerator(), workspace.budget));
         good = some_never_equal || c + 1 < left.components.size();
+      } else if (settled) {
+        good = *settled;
       } else if (statement.relation != Relation::equal) {
         good = order_holds(statement.relation, d, hypotheses.facts(), workspace);
       }

@@ -81,10 +81,12 @@ Term Construction::product(const Scope& scope, std::vector<Term> terms, const st
   if (terms.size() == 1) return terms.front();
   const auto is_function = [](const Term& t) { return t.type().is_function(); };
   const auto functions = std::count_if(terms.begin(), terms.end(), is_function);
-  const bool constants = std::none_of(terms.begin(), terms.end(), [&](const Term& t) {
-    return !is_function(t) && has_parameters(t);
-  });
-  if (functions > 0 && constants) {
+  // Looking for parameters walks through whole terms: only where a function stands among them.
+  const bool pointwise =
+      functions > 0 && std::none_of(terms.begin(), terms.end(), [&](const Term& t) {
+        return !is_function(t) && has_parameters(t);
+      });
+  if (pointwise) {
     const Type type = std::find_if(terms.begin(), terms.end(), is_function)->type();
     return function(type.parameters, span, [&](const std::vector<Term>& formals) {
       std::vector<Term> values;
