@@ -92,7 +92,8 @@ Term net(const Call& call) {
 }
 
 Term extent(const Call& call, bool rows) {
-  const Type& type = call.matrix(0).type();
+  const Term matrix = call.matrix(0);
+  const Type& type = matrix.type();
   return number_term(rows ? type.rows : type.columns, call.span());
 }
 
