@@ -236,6 +236,9 @@ TEST_CASE("An output that cannot be written is no success", "[reject]") {
   CHECK(ended.errors == "patchproof: cannot write standard output: No space left on device\n");
 }
 
+// Under the address sanitizer memory is kept by its own allocator, and the claim meets the time
+// limit first.
+#if !defined(__SANITIZE_ADDRESS__)
 TEST_CASE("A memory limit ends one claim and not the run") {
   const Ended ended = check(
       "case m\n  scalar a, b, c, d\n  prove big: (a+b+c+d)^200 == (d+c+b+a)^200\n"
@@ -245,6 +248,7 @@ TEST_CASE("A memory limit ends one claim and not the run") {
   CHECK(ended.output.find("! m.big    UNKNOWN: limit: more than 5000000 bytes of memory\n") == 0);
   CHECK(ended.output.find("  m.small  PROVED\n") != std::string::npos);
 }
+#endif
 
 TEST_CASE("An included file is found beside the file that includes it") {
   const TemporaryFolder folder;
