@@ -84,6 +84,30 @@ end
 )") == "c PROVED\n");
 }
 
+TEST_CASE("a parameter that an inequality restricts determines nothing") {
+  CHECK(verdicts_of(R"(
+case r
+  param u in [0, 1]
+  scalar x, y
+  assume low: u <= 0
+  derive a: x, y from x*u + y == 0 gives u - u, 0
+end
+)") == "a UNKNOWN (an inequality restricts 'u', so it is not clear for how many of its values the "
+       "equations hold)\n");
+}
+
+TEST_CASE("an unknown is not its own value") {
+  CHECK(verdicts_of(R"(
+case t
+  scalar x, y
+  derive a: x from x == 5 gives x
+  derive b: x from x == 5 gives 5 + y*x - x*y
+  derive c: x, y from x == y gives y, y leaves y
+end
+)") == "a UNKNOWN (the value given contains the unknown 'x', so there is nothing to compare)\n"
+       "b PROVED\nc PROVED free y\n");
+}
+
 TEST_CASE("points of any dimension are not divided by") {
   const std::string reason =
       "(an unknown number times a point of any dimension: declare the dimension, 'in R^3')\n";

@@ -15,8 +15,10 @@ namespace {
 
 class Solver {
  public:
-  Solver(const SolveGoal& goal, const std::vector<SymbolPointer>& leaves, Workspace& workspace)
+  Solver(const SolveGoal& goal, const std::vector<Statement>& gives,
+         const std::vector<SymbolPointer>& leaves, Workspace& workspace)
       : goal_{with_assumptions_as_equations(goal)},
+        gives_{gives},
         leaves_{leaves},
         workspace_{workspace},
         evaluator_{workspace, goal_.goal.known},
@@ -35,6 +37,7 @@ class Solver {
       return result;
     }
     order_unknowns();
+    require_values_without_unknowns();
     const UnknownSystem system =
         solved_system(goal_.goal.statements, variables_, evaluator_, hypotheses_, workspace_);
     result.evidence = Evidence::kernel;
@@ -92,6 +95,20 @@ class Solver {
         result.goal.assumptions.push_back(assumption);
     }
     return result;
+  }
+
+  // "derive x … gives x" would be true of everything. A value may mention an unknown whose terms
+  // cancel, as P_u(0,0) of a net does.
+  void require_values_without_unknowns() {
+    for (const Statement& given : gives_) {
+      for (const Fraction& component : evaluator_.value(given.right).components) {
+        const std::set<Variable> within = variables(component);
+        for (std::size_t k = 0; k < variables_.size(); ++k)
+          if (within.contains(variables_[k]) && !is_left(symbols_[k]))
+            throw OutsideTheory{"the value given contains the unknown '" + symbols_[k]->name +
+                                "', so there is nothing to compare"};
+      }
+    }
   }
 
   bool is_left(const SymbolPointer& symbol) const {
@@ -162,6 +179,7 @@ class Solver {
   }
 
   SolveGoal goal_;
+  const std::vector<Statement>& gives_;
   const std::vector<SymbolPointer>& leaves_;
   Workspace& workspace_;
   Evaluator evaluator_;
@@ -229,7 +247,7 @@ Decision solved(const SolveGoal& goal, const std::vector<Statement>& gives,
                 const std::vector<SymbolPointer>& leaves, const Limits& limits, Engines engines) {
   SolveGoal complete = goal;
   Decision result = guarded(limits, [&](Workspace& workspace) {
-    Solver solver{goal, leaves, workspace};
+    Solver solver{goal, gives, leaves, workspace};
     Decision decision = solver.run();
     complete = solver.goal();
     return decision;

@@ -35,6 +35,11 @@ class Hypotheses {
   /// @throws OutsideTheory
   void require_proper_ranges(const Polynomial& polynomial) const;
 
+  /// Checks that no inequality restricts a parameter of the polynomial: on what is left of its range
+  /// an equation need not determine its coefficients.
+  /// @throws OutsideTheory
+  void require_unrestricted(const Polynomial& polynomial) const;
+
   /// True when the assumptions were found to contradict each other.
   bool contradictory() const { return contradictory_; }
 
@@ -81,6 +86,8 @@ class Hypotheses {
   bool contradictory_ = false;
   std::vector<std::string> left_out_;
   std::vector<Polynomial> unsolved_;
+  /// Parameters that inequalities are about.
+  std::set<Variable> restricted_;
 };
 
 /// All variables of the polynomial and of the arguments of its atoms, at any depth.

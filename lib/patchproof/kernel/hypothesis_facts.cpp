@@ -25,6 +25,13 @@ void Hypotheses::require_proper_ranges(const Polynomial& polynomial) const {
   }
 }
 
+void Hypotheses::require_unrestricted(const Polynomial& polynomial) const {
+  for (const Variable v : parameters_in(polynomial))
+    if (restricted_.contains(v))
+      throw OutsideTheory{"an inequality restricts '" + workspace_.atoms[v].symbol->name +
+                          "', so it is not clear for how many of its values the equations hold"};
+}
+
 void Hypotheses::add_facts(const Goal& goal, const std::vector<bool>& enabled,
                            Evaluator& evaluator) {
   const auto add = [&](const Fraction& fraction, bool strict) {
@@ -47,6 +54,9 @@ void Hypotheses::add_facts(const Goal& goal, const std::vector<bool>& enabled,
         difference(left.components.front(), right.components.front(), workspace_.budget);
     const Fraction down =
         difference(right.components.front(), left.components.front(), workspace_.budget);
+    for (std::size_t c = 0; c < left.components.size(); ++c)
+      for (const Fraction& side : {left.components[c], right.components[c]})
+        restricted_.merge(parameters_in(side.numerator()));
     switch (statement.relation) {
       case Relation::not_equal:
         // For points of known dimension only some component differs: nothing usable follows.

@@ -144,6 +144,7 @@ UnknownSystem solved_system(const std::vector<Statement>& equations,
           difference(left.components[c], right.components[c], workspace.budget), workspace);
       const Polynomial whole = normal_form(hypotheses.reduced(plain), workspace).numerator();
       hypotheses.require_proper_ranges(whole);
+      hypotheses.require_unrestricted(whole);
       collector.add(whole, rows);
     }
   }
