@@ -21,23 +21,41 @@ std::optional<std::string> text_of(const std::string& path) {
 }
 
 struct Part {
-  std::string claim;
+  std::string id;
+  std::string claim;  ///< "" when every claim of the case may notice a change
   Span span;
+  bool removable = false;
 };
 
-// The texts that state something true.
+void add_hypotheses(const std::string& name, const syntax::Statement& s,
+                    std::vector<Part>& result) {
+  const std::string id = name + (s.label ? "." + s.label->text : ".assume");
+  for (const syntax::Comparison& c : s.proposition.comparisons)
+    result.push_back({id, "", c.span, true});
+}
+
+void add_values(const std::string& name, const syntax::Statement& s, std::vector<Part>& result) {
+  for (const syntax::Declarator& d : s.declarators)
+    if (d.value) result.push_back({name + "." + d.name.text, "", d.value->span});
+}
+
+// The texts that state something true, and those the statements rest on.
 std::vector<Part> true_parts(const syntax::File& file) {
   std::vector<Part> result;
   for (const syntax::Case& written : file.cases) {
     for (const syntax::Statement& s : written.statements) {
       using Kind = syntax::Statement::Kind;
+      const std::string& name = written.name.text;
+      if (s.kind == Kind::assume) add_hypotheses(name, s, result);
+      add_values(name, s, result);
       if (!s.label) continue;
-      const std::string id = written.name.text + "." + s.label->text;
-      if (s.kind == Kind::prove) result.push_back({id, s.proposition.span});
-      if (s.kind == Kind::erratum) result.push_back({id + ".corrected", s.corrected.span});
+      const std::string id = name + "." + s.label->text;
+      const std::string corrected = id + ".corrected";
+      if (s.kind == Kind::prove) result.push_back({id, id, s.proposition.span});
+      if (s.kind == Kind::erratum) result.push_back({corrected, corrected, s.corrected.span});
       if (s.kind != Kind::derive) continue;
-      result.push_back({id, s.proposition.span});
-      for (const auto& e : s.gives) result.push_back({id, e->span});
+      result.push_back({id, id, s.proposition.span});
+      for (const auto& e : s.gives) result.push_back({id, id, e->span});
     }
   }
   return result;
@@ -57,20 +75,20 @@ std::vector<std::string> replacements(const Token& token, const std::string& tex
   return {other + text.substr(base.size())};
 }
 
-std::string described(const SourceText& source, const Part& part, const Token& token,
-                      const std::string& replacement) {
-  const std::size_t from = std::max(part.span.begin, token.begin < 24 ? 0 : token.begin - 24);
-  const std::size_t to = std::min(part.span.end, token.end + 24);
-  std::string around = source.text.substr(from, token.begin - from) + "{" +
-                       source.text.substr(token.begin, token.end - token.begin) + " -> " +
-                       replacement + "}" + source.text.substr(token.end, to - token.end);
+std::string described(const SourceText& source, const Part& part, std::size_t begin,
+                      std::size_t end, const std::string& replacement) {
+  const std::size_t from = std::max(part.span.begin, begin < 24 ? 0 : begin - 24);
+  const std::size_t to = std::min(part.span.end, end + 24);
+  std::string around = source.text.substr(from, begin - from) + "{" +
+                       source.text.substr(begin, end - begin) + " -> " + replacement + "}" +
+                       source.text.substr(end, to - end);
   std::replace(around.begin(), around.end(), '\n', ' ');
   around.erase(std::unique(around.begin(), around.end(),
                            [](char a, char b) { return a == ' ' && b == ' '; }),
                around.end());
   const std::size_t first = around.find_first_not_of(' ');
   const std::size_t last = around.find_last_not_of(' ');
-  return part.claim + ": " + around.substr(first, last - first + 1);
+  return part.id + ": " + around.substr(first, last - first + 1);
 }
 
 ReadFile read(const SourceText& source) {
@@ -89,11 +107,13 @@ std::vector<SourceText> single_cases(const SourceText& file) {
   return result;
 }
 
-std::vector<SourceText> case_files() {
+std::vector<SourceText> case_files(const std::string& part) {
   const std::filesystem::path root = std::filesystem::path{PATCHPROOF_SOURCE_FOLDER} / "cases";
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator{root})
-    if (entry.path().extension() == ".proof") paths.push_back(entry.path().string());
+    if (entry.path().extension() == ".proof" &&
+        entry.path().string().find(part, root.parent_path().string().size()) != std::string::npos)
+      paths.push_back(entry.path().string());
   std::sort(paths.begin(), paths.end());
   std::vector<SourceText> result;
   for (const std::string& path : paths) result.push_back({path, text_of(path).value()});
@@ -106,12 +126,16 @@ std::vector<Mutation> mutations(const SourceText& source) {
   const Lexed lexed = tokens_of(shared);
   std::vector<Mutation> result;
   for (const Part& part : true_parts(parsed.file)) {
+    const auto add = [&](std::size_t begin, std::size_t end, const std::string& replacement) {
+      result.push_back({part.claim, begin, end, replacement,
+                        described(source, part, begin, end, replacement)});
+    };
+    if (part.removable) add(part.span.begin, part.span.end, "0 == 0");
     for (const Token& token : lexed.tokens) {
       if (token.begin < part.span.begin || token.end > part.span.end) continue;
       const std::string text = source.text.substr(token.begin, token.end - token.begin);
       for (const std::string& replacement : replacements(token, text))
-        result.push_back({part.claim, token.begin, token.end, replacement,
-                          described(source, part, token, replacement)});
+        add(token.begin, token.end, replacement);
     }
   }
   return result;
@@ -125,11 +149,11 @@ bool is_caught(const SourceText& source, const Mutation& mutation) {
   VerificationOptions options;
   options.engines = Engines::kernel;
   for (const Case& given : file.cases) {
-    if (mutation.claim.compare(0, given.name.size() + 1, given.name + ".") != 0) continue;
-    const std::string label = mutation.claim.substr(given.name.size() + 1);
+    const std::string label =
+        mutation.claim.empty() ? "" : mutation.claim.substr(given.name.size() + 1);
     // Claims further down may use what this one derives.
     options.wanted = [&](const Claim& claim) {
-      return claim.label == label ||
+      return label.empty() || claim.label == label ||
              std::any_of(claim.uses.begin(), claim.uses.end(),
                          [&](const std::string& use) { return use == label; });
     };

@@ -7,9 +7,11 @@
 
 namespace patchproof::test {
 
-/// One small change of the text of a true claim: a sign, a number, an index.
+/// One small change of the text of a case: a sign, a number, an index, a hypothesis left out.
 struct Mutation {
-  std::string claim;  ///< id of the claim that was changed
+  /// Id of the claim that was changed; "" when a hypothesis or a value was, so that every claim of
+  /// the case may notice.
+  std::string claim;
   std::size_t begin = 0;
   std::size_t end = 0;
   std::string replacement;
@@ -18,8 +20,9 @@ struct Mutation {
   std::string description;
 };
 
-/// All mutations of the true claims (prove, derive, the corrected half of an erratum) of a file:
-/// + and - exchanged, whole numbers raised by one, the last digit of names exchanged (C1, C2).
+/// All mutations of the true claims (prove, derive, the corrected half of an erratum), of the
+/// hypotheses and of the declared values of a file: + and - exchanged, whole numbers raised by one,
+/// the last digit of names exchanged (C1, C2), a hypothesis replaced by 0 == 0.
 std::vector<Mutation> mutations(const SourceText& source);
 
 /// Whether the run notices: the text is rejected, or the verdict of some instance of the claim is
@@ -30,7 +33,8 @@ bool is_caught(const SourceText& source, const Mutation& mutation);
 /// files of cases/ have no definitions of their own.
 std::vector<SourceText> single_cases(const SourceText& file);
 
-/// The files below cases/, by path, as the program reads them.
-std::vector<SourceText> case_files();
+/// The files below cases/, by path, as the program reads them; only those whose path contains
+/// `part`.
+std::vector<SourceText> case_files(const std::string& part = "");
 
 }  // namespace patchproof::test
