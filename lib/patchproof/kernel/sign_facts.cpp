@@ -100,14 +100,17 @@ bool SignFacts::bernstein_positive(const Polynomial& polynomial, bool strict,
   std::map<Variable, Polynomial> to_unit;
   std::vector<Polynomial> parts;
   const std::set<Variable> variables = polynomial.variables();
+  // Variables without an interval stay in the coefficients, as the weights of a rational curve do.
   for (const Variable v : variables) {
     const auto found = intervals_.find(v);
-    if (found == intervals_.end() || polynomial.degree(v) > most_bernstein_degree) return false;
+    if (found == intervals_.end()) continue;
+    if (polynomial.degree(v) > most_bernstein_degree) return false;
     const auto& [low, high] = found->second;
     to_unit.emplace(v, Polynomial::from_terms({{Monomial{}, low}, {Monomial{v}, high - low}}));
   }
+  if (to_unit.empty()) return false;
   parts.push_back(substituted(polynomial, to_unit, budget));
-  for (const Variable v : variables) {
+  for (const auto& [v, affine] : to_unit) {
     std::vector<Polynomial> next;
     for (const Polynomial& part : parts) {
       std::vector<Polynomial> powers = coefficients(part, v);
@@ -118,7 +121,11 @@ bool SignFacts::bernstein_positive(const Polynomial& polynomial, bool strict,
     budget.require_terms(parts.size());
   }
   return std::all_of(parts.begin(), parts.end(), [&](const Polynomial& part) {
-    return strict ? part.constant() > 0 : part.constant() >= 0;
+    if (part.is_constant()) return strict ? part.constant() > 0 : part.constant() >= 0;
+    return impossible(scaled(part, -1),
+                      strict ? LinearConstraint::Kind::at_least_zero
+                             : LinearConstraint::Kind::above_zero,
+                      budget);
   });
 }
 
