@@ -36,6 +36,11 @@ bool is_sum_of_squares(const Polynomial& polynomial, bool strict) {
   return !strict || polynomial.constant() > 0;
 }
 
+// What is to be impossible for -p when p > 0 (strict) or p >= 0 is to be shown.
+LinearConstraint::Kind opposite_of(bool strict) {
+  return strict ? LinearConstraint::Kind::at_least_zero : LinearConstraint::Kind::above_zero;
+}
+
 }  // namespace
 
 std::optional<LinearConstraint> linear_constraint(const Polynomial& polynomial,
@@ -95,6 +100,16 @@ bool SignFacts::impossible(const Polynomial& polynomial, LinearConstraint::Kind 
   return !small_model(system, budget).has_value();
 }
 
+bool SignFacts::positive_by_terms(const Polynomial& polynomial, bool strict,
+                                  Budget& budget) const {
+  for (const auto& term : polynomial.terms())
+    if (term.coefficient < 0) return false;
+  const std::set<Variable> variables = polynomial.variables();
+  return std::all_of(variables.begin(), variables.end(), [&](Variable v) {
+    return impossible(scaled(Polynomial::variable(v), -1), opposite_of(strict), budget);
+  });
+}
+
 bool SignFacts::bernstein_positive(const Polynomial& polynomial, bool strict,
                                    Budget& budget) const {
   std::map<Variable, Polynomial> to_unit;
@@ -122,10 +137,8 @@ bool SignFacts::bernstein_positive(const Polynomial& polynomial, bool strict,
   }
   return std::all_of(parts.begin(), parts.end(), [&](const Polynomial& part) {
     if (part.is_constant()) return strict ? part.constant() > 0 : part.constant() >= 0;
-    return impossible(scaled(part, -1),
-                      strict ? LinearConstraint::Kind::at_least_zero
-                             : LinearConstraint::Kind::above_zero,
-                      budget);
+    return impossible(scaled(part, -1), opposite_of(strict), budget) ||
+           positive_by_terms(part, strict, budget);
   });
 }
 
@@ -133,6 +146,7 @@ bool SignFacts::always_positive(const Polynomial& polynomial, Budget& budget) co
   if (polynomial.is_constant()) return polynomial.constant() > 0;
   return is_sum_of_squares(polynomial, true) ||
          impossible(scaled(polynomial, -1), LinearConstraint::Kind::at_least_zero, budget) ||
+         positive_by_terms(polynomial, true, budget) ||
          bernstein_positive(polynomial, true, budget);
 }
 
@@ -140,6 +154,7 @@ bool SignFacts::never_negative(const Polynomial& polynomial, Budget& budget) con
   if (polynomial.is_constant()) return polynomial.constant() >= 0;
   return is_sum_of_squares(polynomial, false) ||
          impossible(scaled(polynomial, -1), LinearConstraint::Kind::above_zero, budget) ||
+         positive_by_terms(polynomial, false, budget) ||
          bernstein_positive(polynomial, false, budget);
 }
 

@@ -124,7 +124,9 @@ Spline declared_spline(const syntax::SplineData& data, const Scope& scope, Elabo
   if (data.weights) {
     result.weights = points_of(*data.weights, "the weights", scope, elaborator);
     const Type& type = result.weights.type();
-    if (!type.inner->is_scalar() || type.rows != shape.rows || type.columns != shape.columns)
+    if (!type.inner->is_scalar())
+      throw Fault{data.weights->span, "weights are numbers, this is a " + to_text(type)};
+    if (type.rows != shape.rows || type.columns != shape.columns)
       throw Fault{data.weights->span, "each point has one weight: a " + to_text(type) +
                                           " does not fit a " + to_text(shape)};
   }
