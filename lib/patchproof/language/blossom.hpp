@@ -10,12 +10,15 @@ class KnotArithmetic {
  public:
   KnotArithmetic(Construction& construct, const Span& span) : construct_{construct}, span_{span} {}
 
+  /// A number as a term.
   Term number(const Rational& value) const { return number_term(value, span_); }
+  /// a + b
   Term sum(const Term& a, const Term& b);
-  /// 0 for knots that are written alike.
+  /// a - b; 0 for knots that are written alike.
   Term difference(const Term& a, const Term& b);
+  /// a * b
   Term product(const Term& a, const Term& b);
-  /// A divisor that is no number stays, also under 0: it is a condition.
+  /// a / b. A divisor that is no number stays, also under 0: it is a condition.
   Term ratio(const Term& a, const Term& b);
   /// factors[0]*terms[0] + …; the terms are scalars or points.
   Term combination(const std::vector<Term>& factors, const std::vector<Term>& terms);

@@ -1,5 +1,7 @@
 #include <patchproof/language/builtin_splines.hpp>
 
+#include <algorithm>
+
 namespace patchproof {
 
 namespace {
@@ -126,6 +128,10 @@ Spline declared_spline(const syntax::SplineData& data, const Scope& scope, Elabo
     const Type& type = result.weights.type();
     if (!type.inner->is_scalar())
       throw Fault{data.weights->span, "weights are numbers, this is a " + to_text(type)};
+    const Term& weights = result.weights;
+    if (weights.operation() == Operation::matrix &&
+        std::all_of(weights.children().begin(), weights.children().end(), is_zero))
+      throw Fault{data.weights->span, "all weights are 0: there is no curve or surface"};
     if (type.rows != shape.rows || type.columns != shape.columns)
       throw Fault{data.weights->span, "each point has one weight: a " + to_text(type) +
                                           " does not fit a " + to_text(shape)};

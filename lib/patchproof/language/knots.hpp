@@ -16,6 +16,7 @@ bool same_knot(const Term& a, const Term& b);
 /// For each knot the number of its value among the different values, from 0.
 std::vector<int> values_of(const Knots& knots);
 
+/// Whether no knot has a symbol in it.
 bool are_numbers(const Knots& knots);
 
 /// Knots that are all numbers, as numbers.

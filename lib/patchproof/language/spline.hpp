@@ -6,6 +6,7 @@ namespace patchproof {
 
 class Elaborator;
 
+/// Splines of higher degrees are rejected.
 inline constexpr int highest_spline_degree = 40;
 
 /// A B-spline curve or tensor product surface: control points, degrees, knots, one per direction.
@@ -16,6 +17,7 @@ struct Spline {
   std::vector<int> degrees;
   std::vector<Knots> knots;
 
+  /// 1 for a curve, 2 for a surface.
   std::size_t directions() const { return degrees.size(); }
   /// How many control points lie in this direction.
   int extent(std::size_t direction) const {
@@ -31,6 +33,7 @@ using Factors = std::vector<std::vector<Term>>;
 /// Source: Piegl & Tiller, The NURBS Book, 4.2.
 class ControlNet {
  public:
+  /// The points of the spline, times their weights when it has any.
   ControlNet(const Spline& spline, Elaborator& elaborator, const Span& span);
 
   /// Each point becomes a combination of those in its row or column.
