@@ -17,9 +17,9 @@ TEST_CASE("what is said of signs with positive symbols holds on a grid", "[law]"
     facts.add_interval(0, {0, 1});
     facts.add_inequality(Polynomial::variable(1), true);
     facts.add_inequality(Polynomial::variable(2), false);
-    const Polynomial p = sum(random_polynomial(random, 3, 3, 4),
-                             product(Polynomial::variable(1), Rational{random_small(random, 6)}, budget),
-                             budget);
+    const Polynomial p =
+        sum(random_polynomial(random, 3, 3, 4),
+            product(Polynomial::variable(1), Rational{random_small(random, 6)}, budget), budget);
     const bool is_positive = facts.always_positive(p, budget);
     const bool not_negative = facts.never_negative(p, budget);
     const bool not_zero = facts.never_zero(p, budget);
@@ -65,7 +65,21 @@ TEST_CASE("coefficients of Bernstein polynomials may be symbols of known sign") 
   CHECK_FALSE(facts.never_zero(difference(segment, v, budget), budget));
 }
 
-TEST_CASE("terms with positive coefficients and positive symbols are positive, others need not be") {
+TEST_CASE("what is positive is no zero factor either") {
+  Budget budget{Limits{}};
+  const Polynomial length = difference(Polynomial::variable(1), Polynomial::variable(0), budget);
+  const Polynomial square = product(length, length, budget);
+  SignFacts facts;
+  CHECK_FALSE(facts.never_zero(square, budget));
+  facts.add_inequality(length, false);
+  CHECK_FALSE(facts.never_zero(square, budget));
+  facts.add_inequality(length, true);
+  CHECK(facts.never_zero(square, budget));
+  CHECK_FALSE(facts.never_zero(product(square, Polynomial::variable(0), budget), budget));
+}
+
+TEST_CASE(
+    "terms with positive coefficients and positive symbols are positive, others need not be") {
   Budget budget{Limits{}};
   const Polynomial x = Polynomial::variable(0);
   const Polynomial y = Polynomial::variable(1);

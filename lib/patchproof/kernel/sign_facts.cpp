@@ -161,7 +161,10 @@ bool SignFacts::never_negative(const Polynomial& polynomial, Budget& budget) con
 bool SignFacts::never_zero(const Polynomial& polynomial, Budget& budget) const {
   if (polynomial.is_constant()) return !polynomial.is_zero();
   Polynomial rest = primitive(polynomial).polynomial;
-  for (const Polynomial& factor : not_zero_) {
+  std::vector<Polynomial> factors = not_zero_;
+  for (const Inequality& inequality : inequalities_)
+    if (inequality.strict) factors.push_back(primitive(inequality.polynomial).polynomial);
+  for (const Polynomial& factor : factors) {
     if (factor.is_constant()) continue;
     while (!rest.is_constant()) {
       const std::optional<Polynomial> shorter = quotient(rest, factor, budget);

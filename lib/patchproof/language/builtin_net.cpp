@@ -10,8 +10,8 @@ Term net_of(const syntax::Expression& value, const std::vector<syntax::Binder>& 
   for (const syntax::Binder& binder : binders) {
     const auto [first, last] = elaborator.interval(binder.interval, scope);
     if (first != 0)
-      throw Fault{binder.name.span, "the indices of a net start at 0, not at " +
-                                        std::to_string(first)};
+      throw Fault{binder.name.span,
+                  "the indices of a net start at 0, not at " + std::to_string(first)};
     extents.push_back(last + 1);
   }
   std::vector<Term> entries;

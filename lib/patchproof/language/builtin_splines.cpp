@@ -30,9 +30,8 @@ std::vector<Term> basis(const Spline& spline, std::size_t direction, int span, c
   }
   KnotArithmetic arithmetic{construct, where};
   const Term rest = construct.sum(Scope{}, {number_term(1, where), t}, "+-", where);
-  const Term x = arithmetic.sum(
-      arithmetic.product(rest, knots[static_cast<std::size_t>(span)]),
-      arithmetic.product(t, knots[static_cast<std::size_t>(span) + 1]));
+  const Term x = arithmetic.sum(arithmetic.product(rest, knots[static_cast<std::size_t>(span)]),
+                                arithmetic.product(t, knots[static_cast<std::size_t>(span) + 1]));
   return blossom(knots, degree, span, std::vector<Term>(static_cast<std::size_t>(degree), x),
                  elaborator.workshop(), construct, where);
 }
@@ -60,7 +59,8 @@ Term piece(const Spline& spline, const std::vector<int>& spans, const std::vecto
         continue;
       }
       for (int j = 0; j <= spline.degrees[1]; ++j)
-        add({first, bases[1][static_cast<std::size_t>(j)]}, {row, spans[1] - spline.degrees[1] + j});
+        add({first, bases[1][static_cast<std::size_t>(j)]},
+            {row, spans[1] - spline.degrees[1] + j});
     }
     const std::string signs(parts.size(), '+');
     return construct.sum(Scope{}, std::move(parts), signs, where);
@@ -99,15 +99,16 @@ Term segment(const syntax::Expression& call, const Scope& scope, Elaborator& ela
   const Spline spline = elaborator.spline(*call.arguments[0].value, scope);
   const std::size_t directions = spline.directions();
   if (call.arguments.size() != directions + 1)
-    throw Fault{call.span, directions == 1 ? "a spline curve has one segment number"
-                                           : "a spline surface has two segment numbers",
+    throw Fault{call.span,
+                directions == 1 ? "a spline curve has one segment number"
+                                : "a spline surface has two segment numbers",
                 directions == 1 ? "segment(T, i)" : "segment(T, i, j)"};
   std::vector<int> spans;
   for (std::size_t k = 0; k < directions; ++k) {
     if (!call.arguments[k + 1].value) throw Fault{call.span, "a segment number cannot run"};
     const Term number = elaborator.expression(*call.arguments[k + 1].value, scope);
-    spans.push_back(span_number(spline, k, construct.whole_number(number, "a segment number"),
-                                call.span));
+    spans.push_back(
+        span_number(spline, k, construct.whole_number(number, "a segment number"), call.span));
   }
   const std::vector<std::string> names =
       directions == 1 ? std::vector<std::string>{"t"} : std::vector<std::string>{"u", "v"};

@@ -24,8 +24,8 @@ void require_order(const Knots& knots, int degree) {
     const bool again = k > 0 && same_knot(knots[k - 1], knot);
     multiplicity = again ? multiplicity + 1 : 1;
     if (multiplicity > degree + 1)
-      throw Fault{knot.span(), "a knot occurs at most degree + 1 = " + std::to_string(degree + 1) +
-                                   " times"};
+      throw Fault{knot.span(),
+                  "a knot occurs at most degree + 1 = " + std::to_string(degree + 1) + " times"};
     if (again) continue;
     if (knot.is_number()) {
       if (last_number != nullptr && knot.number() < last_number->number())
@@ -65,8 +65,8 @@ Knots knots_of(const syntax::SplineData& data, std::size_t direction, int given,
   const auto p = static_cast<std::size_t>(degree);
   if (data.merged && (given < degree + 1 || (given - 1) % degree != 0))
     throw Fault{where, "k pieces of degree " + std::to_string(degree) + " have " +
-                           (degree == 1 ? "" : std::to_string(degree) + "*") + "k + 1 Bézier points, not " +
-                           std::to_string(given)};
+                           (degree == 1 ? "" : std::to_string(degree) + "*") +
+                           "k + 1 Bézier points, not " + std::to_string(given)};
   if (!data.merged && given < degree + 1)
     throw Fault{where, "a spline of degree " + std::to_string(degree) + " needs at least " +
                            std::to_string(degree + 1) + " control points in each direction, not " +
@@ -114,8 +114,8 @@ Term points_of(const syntax::Expression& e, const std::string& what, const Scope
 Spline declared_spline(const syntax::SplineData& data, const Scope& scope, Elaborator& elaborator) {
   const syntax::Expression& where = *data.control_points;
   Spline result;
-  result.control_points = points_of(where, data.merged ? "the Bézier points" : "the control points",
-                                    scope, elaborator);
+  result.control_points =
+      points_of(where, data.merged ? "the Bézier points" : "the control points", scope, elaborator);
   const Type shape = result.control_points.type();
   const bool curve = shape.list;
   const std::size_t directions = curve ? 1 : 2;

@@ -14,8 +14,10 @@ bool same(const Term& a, const Term& b, int& steps) {
   if (++steps > most_comparisons) return false;
   if (a.operation() != b.operation() || a.children().size() != b.children().size()) return false;
   switch (a.operation()) {
-    case Operation::number: return a.number() == b.number();
-    case Operation::symbol: return a.symbol()->ordinal == b.symbol()->ordinal;
+    case Operation::number:
+      return a.number() == b.number();
+    case Operation::symbol:
+      return a.symbol()->ordinal == b.symbol()->ordinal;
     case Operation::power:
       if (a.exponent() != b.exponent()) return false;
       break;
@@ -24,8 +26,10 @@ bool same(const Term& a, const Term& b, int& steps) {
     case Operation::negation:
     case Operation::product:
     case Operation::quotient:
-    case Operation::square_root: break;
-    default: return false;
+    case Operation::square_root:
+      break;
+    default:
+      return false;
   }
   for (std::size_t k = 0; k < a.children().size(); ++k)
     if (!same(a.child(k), b.child(k), steps)) return false;

@@ -10,7 +10,8 @@ namespace patchproof {
 /// alike; equal ones stand together.
 using Knots = std::vector<Term>;
 
-/// Whether two knots are written alike: the same number, or the same expression in the same symbols.
+/// Whether two knots are written alike: the same number, or the same expression in the same
+/// symbols.
 bool same_knot(const Term& a, const Term& b);
 
 /// For each knot the number of its value among the different values, from 0.

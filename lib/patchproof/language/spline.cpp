@@ -11,8 +11,9 @@ namespace {
 void require_continuous(const std::vector<int>& spans, int degree, const Span& span) {
   for (std::size_t k = 1; k < spans.size(); ++k)
     if (spans[k] - spans[k - 1] > degree)
-      throw Fault{span, "this spline is not continuous: an inner knot has a multiplicity above "
-                        "the degree"};
+      throw Fault{span,
+                  "this spline is not continuous: an inner knot has a multiplicity above "
+                  "the degree"};
 }
 
 }  // namespace
@@ -100,8 +101,8 @@ Factors bezier_factors(const Knots& knots, int degree, Elaborator& elaborator, c
     for (int i = rows.empty() ? 0 : 1; i <= degree; ++i) {
       std::vector<Term> arguments(static_cast<std::size_t>(degree - i), a);
       arguments.insert(arguments.end(), static_cast<std::size_t>(i), b);
-      const std::vector<Term> factors = blossom(knots, degree, k, arguments, elaborator.workshop(),
-                                                elaborator.construct(), span);
+      const std::vector<Term> factors =
+          blossom(knots, degree, k, arguments, elaborator.workshop(), elaborator.construct(), span);
       rows.emplace_back(points, number_term(0, span));
       std::copy(factors.begin(), factors.end(), rows.back().begin() + (k - degree));
     }
@@ -118,8 +119,8 @@ std::size_t piece_for_point(const std::vector<int>& values, const std::vector<in
     const int start = starts[piece];
     if (start < value(i) || start + 1 > value(i + degree + 1)) continue;
     const auto first = values.begin() + i + 1;
-    const long ends = std::count_if(first, first + degree,
-                                    [&](int v) { return v == start || v == start + 1; });
+    const long ends =
+        std::count_if(first, first + degree, [&](int v) { return v == start || v == start + 1; });
     if (ends <= most) continue;
     most = ends;
     best = piece;

@@ -143,8 +143,8 @@ Spline with_higher_degree(const Spline& spline, std::size_t direction, Elaborato
       std::vector<Term> arguments;
       for (int j = 1; j <= degree + 1; ++j)
         if (j != left_out) arguments.push_back(raised[at(i + j)]);
-      const std::vector<Term> part = blossom(knots, degree, k, arguments, elaborator.workshop(),
-                                             elaborator.construct(), span);
+      const std::vector<Term> part =
+          blossom(knots, degree, k, arguments, elaborator.workshop(), elaborator.construct(), span);
       for (int j = 0; j <= degree; ++j) {
         Term& factor = factors.back()[at(k - degree + j)];
         factor = arithmetic.sum(factor, arithmetic.product(share, part[at(j)]));

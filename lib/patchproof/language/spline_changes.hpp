@@ -18,9 +18,9 @@ Spline changed_spline(const std::string& name, const syntax::Expression& call, c
 Spline with_knot(const Spline& spline, std::size_t direction, const Term& knot,
                  Elaborator& elaborator, const Span& span);
 
-/// One degree more: each knot has its multiplicity raised by one. The blossom of the higher degree is
-/// the mean of the lower one's values with one argument left out.
-/// Source: Farin, Curves and Surfaces for CAGD, ch. 8; Ramshaw, Blossoms are polar forms.
+/// One degree more: each knot has its multiplicity raised by one. The blossom of the higher degree
+/// is the mean of the lower one's values with one argument left out. Source: Farin, Curves and
+/// Surfaces for CAGD, ch. 8; Ramshaw, Blossoms are polar forms.
 Spline with_higher_degree(const Spline& spline, std::size_t direction, Elaborator& elaborator,
                           const Span& span);
 
