@@ -35,10 +35,15 @@ class Values {
     Witness witness;
     std::map<unsigned, SymbolPointer> symbols = free_symbols(goal_);
     for (const ParameterRange& range : goal_.ranges) {
-      const bool needed = std::any_of(
-          goal_.statements.begin(), goal_.statements.end(), [&](const Statement& s) {
-            return free_symbols(s.left).contains(range.parameter->ordinal) ||
-                   free_symbols(s.right).contains(range.parameter->ordinal);
+      const auto names_it = [&](const Statement& s) {
+        return free_symbols(s.left).contains(range.parameter->ordinal) ||
+               free_symbols(s.right).contains(range.parameter->ordinal);
+      };
+      // An inequality that is assumed restricts a parameter even where no statement names it.
+      const bool needed =
+          std::any_of(goal_.statements.begin(), goal_.statements.end(), names_it) ||
+          std::any_of(goal_.assumptions.begin(), goal_.assumptions.end(), [&](const Assumption& a) {
+            return a.statement.relation != Relation::equal && names_it(a.statement);
           });
       if (!needed) symbols.erase(range.parameter->ordinal);
     }

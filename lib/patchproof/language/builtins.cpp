@@ -73,7 +73,8 @@ Term transpose(const Call& call) {
                                call.span());
 }
 
-Term finite_sum(const Call& call) {
+// A sum or a product: the first argument for every combination of the running indices.
+Term running(const Call& call, bool sum) {
   const std::vector<syntax::Binder> binders = call.binders(1);
   std::vector<Term> terms;
   for (const std::vector<int>& values : call.elaborator.combinations(binders, call.scope)) {
@@ -81,8 +82,9 @@ Term finite_sum(const Call& call) {
     const Scope inner = Elaborator::bound(call.scope, binders, values);
     terms.push_back(call.elaborator.expression(*call.expression.arguments[0].value, inner));
   }
-  const std::string signs(terms.size(), '+');
-  return call.construct().sum(call.scope, std::move(terms), signs, call.span());
+  const std::string signs(terms.size(), sum ? '+' : '*');
+  return sum ? call.construct().sum(call.scope, std::move(terms), signs, call.span())
+             : call.construct().product(call.scope, std::move(terms), signs, call.span());
 }
 
 Term net(const Call& call) {
@@ -169,7 +171,9 @@ const std::vector<Builtin>& builtins() {
       {"cross", "cross(a, b)", 2, 2, [](const Call& c) { return of_two_points(c, Operation::cross); }},
       {"transpose", "transpose(M)", 1, 1, transpose},
       {"diff", "diff(r, u, 2, v)", 2, many, derivative_of},
-      {"sum", "sum(b[i]*x^i, i in 0..3)", 2, many, finite_sum},
+      {"sum", "sum(b[i]*x^i, i in 0..3)", 2, many, [](const Call& c) { return running(c, true); }},
+      {"product", "product(t - a[i], i in 0..3)", 2, many,
+       [](const Call& c) { return running(c, false); }},
       {"net", "net(c[i,0], i in 0..3, j in 0..3)", 2, 3, net},
       {"rows", "rows(M)", 1, 1, [](const Call& c) { return extent(c, true); }},
       {"columns", "columns(M)", 1, 1, [](const Call& c) { return extent(c, false); }},

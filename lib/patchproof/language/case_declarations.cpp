@@ -192,7 +192,8 @@ void CaseElaborator::declare(const syntax::Statement& statement) {
     case Kind::scalar:
     case Kind::point: declare_symbols(statement); break;
     case Kind::curve:
-    case Kind::patch: declare_functions(statement); break;
+    case Kind::patch:
+    case Kind::volume: declare_functions(statement); break;
     case Kind::matrix:
       for (const Declarator& declarator : statement.declarators) declare_matrix(declarator);
       break;

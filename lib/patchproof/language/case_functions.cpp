@@ -103,12 +103,14 @@ void CaseElaborator::declare_functions(const syntax::Statement& statement) {
   const Type value =
       Type::point(statement.dimension == 0 ? Type::any_dimension : statement.dimension);
   const bool curve = statement.kind == syntax::Statement::Kind::curve;
+  const bool patch = statement.kind == syntax::Statement::Kind::patch;
   for (const syntax::Declarator& declarator : statement.declarators) {
     require_new(declarator.name);
-    const std::size_t expected = curve ? 1 : 2;
+    const std::size_t expected = curve ? 1 : patch ? 2 : 3;
     if (declarator.parameters.size() != expected)
-      throw Fault{declarator.name.span, curve ? "a curve has one parameter, as in C(u)"
-                                              : "a patch has two parameters, as in r(u, v)"};
+      throw Fault{declarator.name.span, curve   ? "a curve has one parameter, as in C(u)"
+                                        : patch ? "a patch has two parameters, as in r(u, v)"
+                                                : "a volume has three parameters, as in F(u, v, w)"};
     const Term term = declarator.value ? defined_function(declarator)
                       : !statement.degrees.empty()
                           ? degree_function(statement, declarator, value)

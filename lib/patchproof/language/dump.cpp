@@ -21,16 +21,17 @@ std::string_view text_of(Expression::Kind kind) {
 }
 
 std::string_view text_of(Statement::Kind kind) {
-  static constexpr std::array<std::string_view, 22> words{
+  static constexpr std::array<std::string_view, 23> words{
       "title", "source", "quote",  "tags",   "limit",   "param", "scalar", "point",
-      "curve", "patch",  "matrix", "net",    "spline",  "let",   "assume", "family",
+      "curve", "patch",  "volume", "matrix", "net",    "spline",  "let",   "assume", "family",
       "prove", "refute", "open",   "derive", "erratum", "show"};
   return words.at(static_cast<std::size_t>(kind));
 }
 
 std::string_view text_of(FormalType::Kind kind) {
-  static constexpr std::array<std::string_view, 9> words{
-      "scalar", "scalar function", "point", "curve", "patch", "net", "matrix", "list", "spline"};
+  static constexpr std::array<std::string_view, 10> words{
+      "scalar", "scalar function", "point",  "curve", "patch",
+      "volume", "net",             "matrix", "list",  "spline"};
   return words.at(static_cast<std::size_t>(kind));
 }
 

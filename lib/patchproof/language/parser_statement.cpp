@@ -17,11 +17,11 @@ using syntax::Statement;
 using Kind = Statement::Kind;
 
 Kind kind_of(std::string_view keyword) {
-  static constexpr std::array<std::pair<std::string_view, Kind>, 22> table{{
+  static constexpr std::array<std::pair<std::string_view, Kind>, 23> table{{
       {"title", Kind::title},   {"source", Kind::source}, {"quote", Kind::quote},
       {"tags", Kind::tags},     {"limit", Kind::limit},   {"param", Kind::parameter},
       {"scalar", Kind::scalar}, {"point", Kind::point},   {"curve", Kind::curve},
-      {"patch", Kind::patch},   {"matrix", Kind::matrix}, {"net", Kind::net},
+      {"patch", Kind::patch},   {"volume", Kind::volume}, {"matrix", Kind::matrix}, {"net", Kind::net},
       {"spline", Kind::spline}, {"let", Kind::let},       {"assume", Kind::assume},
       {"family", Kind::family}, {"prove", Kind::prove},   {"refute", Kind::refute},
       {"open", Kind::open},     {"derive", Kind::derive}, {"erratum", Kind::erratum},

@@ -152,7 +152,7 @@ struct Clauses {
 struct Statement {
   enum class Kind {
     title, source, quote, tags, limit,
-    parameter, scalar, point, curve, patch, matrix, net, spline, let, assume, family,
+    parameter, scalar, point, curve, patch, volume, matrix, net, spline, let, assume, family,
     prove, refute, open, derive, erratum, show,
   };
   Kind kind = Kind::title;
@@ -169,7 +169,7 @@ struct Statement {
   std::optional<Name> limit_unit;
 
   std::vector<ParameterGroup> parameters;
-  std::vector<Declarator> declarators;    ///< scalar, point, curve, patch, matrix, net, spline, let
+  std::vector<Declarator> declarators;    ///< scalar, point, curve, patch, volume, matrix, net, spline, let
   std::optional<Smoothness> smoothness;   ///< curve/patch/scalar ... : C^2
   std::optional<Name> space;              ///< point/curve/patch ... in R^3 -> Name "R", dimension
   int dimension = 0;                      ///< of `in R^3`; 0 when not given
@@ -193,9 +193,11 @@ struct Statement {
 
 /// The declared type of a formal parameter of a definition, or of its result.
 struct FormalType {
-  enum class Kind { scalar, scalar_function, point, curve, patch, net, matrix, list, spline };
+  enum class Kind {
+    scalar, scalar_function, point, curve, patch, volume, net, matrix, list, spline,
+  };
   Kind kind = Kind::scalar;
-  std::vector<Name> parameters;  ///< curve(u), patch(u, v)
+  std::vector<Name> parameters;  ///< curve(u), patch(u, v), volume(u, v, w)
   Span span;
 };
 
