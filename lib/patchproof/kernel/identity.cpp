@@ -23,6 +23,19 @@ std::optional<bool> holds_for_numbers(Condition::Kind kind, const Polynomial& p,
   return kind == Condition::Kind::not_zero ? *sign != 0 : *sign >= 0;
 }
 
+// The facts, and that the roots of numbers in the polynomial are positive.
+SignFacts facts_about(const Polynomial& p, const SignFacts& facts, const Atoms& atoms) {
+  SignFacts result = facts;
+  for (const Variable v : p.variables()) {
+    const Atom& atom = atoms[v];
+    const bool of_number = atom.kind == Atom::Kind::root && atom.arguments.front().is_polynomial() &&
+                           atom.arguments.front().numerator().is_constant();
+    if (of_number && atom.arguments.front().numerator().constant() > 0)
+      result.add_inequality(Polynomial::variable(v), true);
+  }
+  return result;
+}
+
 }  // namespace
 
 void keep_open(const Conditions& conditions, Hypotheses& hypotheses, Workspace& workspace,
@@ -31,7 +44,7 @@ void keep_open(const Conditions& conditions, Hypotheses& hypotheses, Workspace& 
     const Fraction reduced = hypotheses.reduced(condition.polynomial);
     const Polynomial p = normal_form(reduced.numerator(), workspace);
     if (condition.kind == Condition::Kind::not_zero) {
-      const SignFacts& facts = hypotheses.facts();
+      const SignFacts facts = facts_about(p, hypotheses.facts(), workspace.atoms);
       const std::optional<bool> known = holds_for_numbers(condition.kind, p, workspace);
       const bool always_zero = known == false ||
                                (facts.never_negative(p, workspace.budget) &&

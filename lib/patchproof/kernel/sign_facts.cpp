@@ -36,6 +36,11 @@ bool is_sum_of_squares(const Polynomial& polynomial, bool strict) {
   return !strict || polynomial.constant() > 0;
 }
 
+// What is to be impossible for -p when p > 0 (strict) or p >= 0 is to be shown.
+LinearConstraint::Kind opposite_of(bool strict) {
+  return strict ? LinearConstraint::Kind::at_least_zero : LinearConstraint::Kind::above_zero;
+}
+
 }  // namespace
 
 std::optional<LinearConstraint> linear_constraint(const Polynomial& polynomial,
@@ -95,19 +100,32 @@ bool SignFacts::impossible(const Polynomial& polynomial, LinearConstraint::Kind 
   return !small_model(system, budget).has_value();
 }
 
+bool SignFacts::positive_by_terms(const Polynomial& polynomial, bool strict,
+                                  Budget& budget) const {
+  for (const auto& term : polynomial.terms())
+    if (term.coefficient < 0) return false;
+  const std::set<Variable> variables = polynomial.variables();
+  return std::all_of(variables.begin(), variables.end(), [&](Variable v) {
+    return impossible(scaled(Polynomial::variable(v), -1), opposite_of(strict), budget);
+  });
+}
+
 bool SignFacts::bernstein_positive(const Polynomial& polynomial, bool strict,
                                    Budget& budget) const {
   std::map<Variable, Polynomial> to_unit;
   std::vector<Polynomial> parts;
   const std::set<Variable> variables = polynomial.variables();
+  // Variables without an interval stay in the coefficients, as the weights of a rational curve do.
   for (const Variable v : variables) {
     const auto found = intervals_.find(v);
-    if (found == intervals_.end() || polynomial.degree(v) > most_bernstein_degree) return false;
+    if (found == intervals_.end()) continue;
+    if (polynomial.degree(v) > most_bernstein_degree) return false;
     const auto& [low, high] = found->second;
     to_unit.emplace(v, Polynomial::from_terms({{Monomial{}, low}, {Monomial{v}, high - low}}));
   }
+  if (to_unit.empty()) return false;
   parts.push_back(substituted(polynomial, to_unit, budget));
-  for (const Variable v : variables) {
+  for (const auto& [v, affine] : to_unit) {
     std::vector<Polynomial> next;
     for (const Polynomial& part : parts) {
       std::vector<Polynomial> powers = coefficients(part, v);
@@ -118,7 +136,9 @@ bool SignFacts::bernstein_positive(const Polynomial& polynomial, bool strict,
     budget.require_terms(parts.size());
   }
   return std::all_of(parts.begin(), parts.end(), [&](const Polynomial& part) {
-    return strict ? part.constant() > 0 : part.constant() >= 0;
+    if (part.is_constant()) return strict ? part.constant() > 0 : part.constant() >= 0;
+    return impossible(scaled(part, -1), opposite_of(strict), budget) ||
+           positive_by_terms(part, strict, budget);
   });
 }
 
@@ -126,6 +146,7 @@ bool SignFacts::always_positive(const Polynomial& polynomial, Budget& budget) co
   if (polynomial.is_constant()) return polynomial.constant() > 0;
   return is_sum_of_squares(polynomial, true) ||
          impossible(scaled(polynomial, -1), LinearConstraint::Kind::at_least_zero, budget) ||
+         positive_by_terms(polynomial, true, budget) ||
          bernstein_positive(polynomial, true, budget);
 }
 
@@ -133,13 +154,17 @@ bool SignFacts::never_negative(const Polynomial& polynomial, Budget& budget) con
   if (polynomial.is_constant()) return polynomial.constant() >= 0;
   return is_sum_of_squares(polynomial, false) ||
          impossible(scaled(polynomial, -1), LinearConstraint::Kind::above_zero, budget) ||
+         positive_by_terms(polynomial, false, budget) ||
          bernstein_positive(polynomial, false, budget);
 }
 
 bool SignFacts::never_zero(const Polynomial& polynomial, Budget& budget) const {
   if (polynomial.is_constant()) return !polynomial.is_zero();
   Polynomial rest = primitive(polynomial).polynomial;
-  for (const Polynomial& factor : not_zero_) {
+  std::vector<Polynomial> factors = not_zero_;
+  for (const Inequality& inequality : inequalities_)
+    if (inequality.strict) factors.push_back(primitive(inequality.polynomial).polynomial);
+  for (const Polynomial& factor : factors) {
     if (factor.is_constant()) continue;
     while (!rest.is_constant()) {
       const std::optional<Polynomial> shorter = quotient(rest, factor, budget);

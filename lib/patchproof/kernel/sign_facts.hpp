@@ -31,7 +31,7 @@ class SignFacts {
   /// Whether the facts show it; `false` means only that they were not enough.
   ///
   /// Methods: constants; factors known not to vanish; sums of even powers; Fourier-Motzkin for linear polynomials;
-  /// equal signs of all Bernstein coefficients over a box (Farin, ch. 5: convex hull property).
+  /// positive terms; equal signs of all Bernstein coefficients over a box (Farin, ch. 5: convex hull property).
   bool never_zero(const Polynomial& polynomial, Budget& budget) const;
   bool never_negative(const Polynomial& polynomial, Budget& budget) const;
   bool always_positive(const Polynomial& polynomial, Budget& budget) const;
@@ -41,6 +41,10 @@ class SignFacts {
 
  private:
   bool impossible(const Polynomial& polynomial, LinearConstraint::Kind kind, Budget& budget) const;
+  /// Positive coefficients and positive variables (not negative ones, when not strict).
+  bool positive_by_terms(const Polynomial& polynomial, bool strict, Budget& budget) const;
+  /// Variables without an interval stay in the Bernstein coefficients, whose signs then are to be
+  /// shown by the facts.
   bool bernstein_positive(const Polynomial& polynomial, bool strict, Budget& budget) const;
 
   std::vector<Inequality> inequalities_;

@@ -221,7 +221,8 @@ void CaseElaborator::declare(const syntax::Statement& statement) {
       for (const Declarator& declarator : statement.declarators) {
         require_new(declarator.name);
         auto spline = std::make_shared<const Spline>(
-            declared_spline(*statement.spline, scope_, elaborator_));
+            declarator.value ? elaborator_.spline(*declarator.value, scope_)
+                             : declared_spline(*statement.spline, scope_, elaborator_));
         scope_.declare(declarator.name.text,
                        Entity{Entity::Kind::spline, {}, std::move(spline), declarator.name.span});
       }
@@ -234,11 +235,15 @@ void CaseElaborator::declare(const syntax::Statement& statement) {
 }
 
 void CaseElaborator::assume(const syntax::Statement& statement) {
-  Goal goal = goal_of(statement.proposition, scope_);
   const std::string label = statement.label ? statement.label->text : "";
-  for (const Statement& s : goal.statements) assumptions_.push_back({label, s});
-  ranges_.insert(ranges_.end(), goal.ranges.begin() + static_cast<std::ptrdiff_t>(ranges_.size()),
-                 goal.ranges.end());
+  const std::vector<syntax::Binder>& binders = statement.clauses.binders;
+  for (const std::vector<int>& values :
+       elaborator_.combinations(binders, scope_, most_instances)) {
+    Goal goal = goal_of(statement.proposition, Elaborator::bound(scope_, binders, values));
+    for (const Statement& s : goal.statements) assumptions_.push_back({label, s});
+    ranges_.insert(ranges_.end(), goal.ranges.begin() + static_cast<std::ptrdiff_t>(ranges_.size()),
+                   goal.ranges.end());
+  }
 }
 
 void CaseElaborator::statement(const syntax::Statement& statement, Case& result) {

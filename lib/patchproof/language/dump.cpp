@@ -190,9 +190,10 @@ class Dumper {
   }
 
   Json json(const SplineData& spline) const {
-    Json result = node("bspline", spline.control_points->span);
-    add(result, "control_points", spline.control_points);
+    Json result = node(spline.merged ? "merged" : "bspline", spline.control_points->span);
+    add(result, spline.merged ? "bezier_points" : "control_points", spline.control_points);
     add(result, "degrees", spline.degrees);
+    add(result, "weights", spline.weights);
     add(result, "knots", spline.knots);
     if (spline.knots.empty()) result["clamped_uniform"] = true;
     return result;

@@ -4,6 +4,7 @@
 
 #include <patchproof/language/builtins.hpp>
 #include <patchproof/language/nearest_name.hpp>
+#include <patchproof/language/spline_changes.hpp>
 #include <patchproof/term/plain_text.hpp>
 
 namespace patchproof {
@@ -144,12 +145,18 @@ bool Elaborator::is_number(const syntax::Expression& e, const Scope& scope) {
   return entity != nullptr && entity->kind == Entity::Kind::term && entity->term.is_number();
 }
 
-const Spline& Elaborator::spline(const syntax::Expression& e, const Scope& scope) {
+Spline Elaborator::spline(const syntax::Expression& e, const Scope& scope) {
   if (e.kind == syntax::Expression::Kind::name) {
     const Entity* entity = scope.find(e.text);
     if (entity != nullptr && entity->kind == Entity::Kind::faulty) throw FollowUp{};
     if (entity != nullptr && entity->kind == Entity::Kind::spline) return *entity->spline;
     if (entity == nullptr) unknown_name(e.text, e.span, scope);
+  }
+  if (e.kind == syntax::Expression::Kind::call) {
+    const syntax::Expression& callee = *e.operands.front();
+    const bool changes = callee.kind == syntax::Expression::Kind::name &&
+                         scope.find(callee.text) == nullptr && changes_splines(callee.text);
+    if (changes) return changed_spline(callee.text, e, scope, *this);
   }
   throw Fault{e.span, "a spline is needed here", "declare one: 'spline T = bspline(d, degree 3, clamped uniform)'"};
 }

@@ -202,6 +202,7 @@ void erratum(TokenStream& stream, Statement& statement) {
 void assumption(TokenStream& stream, Statement& statement) {
   if (stream.is(Token::Kind::name) && stream.is(":", 1)) statement.label = label(stream);
   statement.proposition = comparisons(stream, "an assumption");
+  if (stream.accept("for")) statement.clauses.binders = binders(stream);
 }
 
 void claim(TokenStream& stream, Statement& statement) {

@@ -13,12 +13,7 @@
 
 namespace patchproof {
 
-/// A B-spline curve or tensor product surface: control points, degrees, knots, one per direction.
-struct Spline {
-  Term control_points;  ///< a list (curve) or a matrix (surface)
-  std::vector<int> degrees;
-  std::vector<std::vector<Rational>> knots;
-};
+struct Spline;
 
 /// What a name stands for.
 struct Entity {

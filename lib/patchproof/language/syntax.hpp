@@ -136,10 +136,13 @@ struct ParameterGroup {
   Range range;
 };
 
-/// `degree 3, 3, clamped uniform` or `degree 2, knots [..], [..]`
+/// `bspline(M, degree 3, 3, clamped uniform)` or `bspline(M, degree 2, weights w, knots [..], [..])`;
+/// `merged(B, …)` has Bézier points instead of control points.
 struct SplineData {
+  bool merged = false;
   ExpressionPointer control_points;
   std::vector<int> degrees;
+  ExpressionPointer weights;             ///< empty: polynomial
   std::vector<ExpressionPointer> knots;  ///< empty: clamped uniform
 };
 
