@@ -228,13 +228,19 @@ void CaseElaborator::declare(const syntax::Statement& statement) {
     case Kind::let:
       for (const Declarator& declarator : statement.declarators) declare_let(declarator);
       break;
-    default: assume(statement); break;
+    default: break;
   }
 }
 
-void CaseElaborator::assume(const syntax::Statement& statement) {
+void CaseElaborator::assume(const syntax::Statement& statement, Case& result) {
   Goal goal = goal_of(statement.proposition, scope_);
   const std::string label = statement.label ? statement.label->text : "";
+  const bool of_first_instance = std::none_of(
+      result.assumptions.begin(), result.assumptions.end(),
+      [&](const WrittenAssumption& a) { return a.span.begin == statement.span.begin; });
+  if (of_first_instance)
+    result.assumptions.push_back({label, assumptions_.size(), goal.statements.size(),
+                                  statement.span, statement.note.value_or("")});
   for (const Statement& s : goal.statements) assumptions_.push_back({label, s});
   ranges_.insert(ranges_.end(), goal.ranges.begin() + static_cast<std::ptrdiff_t>(ranges_.size()),
                  goal.ranges.end());
@@ -250,6 +256,7 @@ void CaseElaborator::statement(const syntax::Statement& statement, Case& result)
       case Kind::open:
       case Kind::derive:
       case Kind::erratum: claim(statement, result); break;
+      case Kind::assume: assume(statement, result); break;
       case Kind::show:
         result.shown.push_back(
             {statement.span, instance_, elaborator_.expression(*statement.shown, scope_)});
