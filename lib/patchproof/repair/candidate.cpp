@@ -21,12 +21,12 @@ CandidateJudge::CandidateJudge(const syntax::Case& written, const syntax::Statem
     : given_{given}, engines_{engines}, reader_{written, claim, library} {
   for (std::size_t k = 0; k < reader_.instances(); ++k)
     trials_.emplace_back(of_a_look(given.limits));
+  for (const syntax::Binder& binder : claim.clauses.binders) running_.push_back(binder.name.text);
   const std::vector<syntax::Name>& labels = claim.clauses.using_labels;
   if (labels.empty()) return;
   Case derivations = given;
   derivations.shown.clear();
   derivations.claims = reader_.above();
-  // What a derivation uses is needed as well.
   std::erase_if(derivations.claims, [](const Claim& c) { return c.verb != "derive"; });
   used_ = derivations.claims;
   VerificationOptions options;

@@ -30,7 +30,9 @@ class CandidateJudge {
   std::vector<Claim> first_claims(const syntax::Proposition& proposition) {
     return reader_.read(0, proposition);
   }
+  /// The names known to the claim, and its running indices, which are not among them.
   const Scope& scope() { return reader_.scope(0); }
+  const std::vector<std::string>& running() const { return running_; }
 
  private:
   std::vector<KnownValue> known_to(const Claim& claim) const;
@@ -40,7 +42,8 @@ class CandidateJudge {
   ClaimReader reader_;
   /// One for each instance of the case, which have different terms.
   std::vector<Trial> trials_;
-  /// The derivations that the claim uses.
+  std::vector<std::string> running_;
+  /// The derivations above a claim that uses some.
   std::vector<Claim> used_;
   std::map<std::pair<std::string, std::string>, Decision> solutions_;
 };

@@ -15,6 +15,9 @@ using syntax::Argument;
 using syntax::Expression;
 using Kind = Expression::Kind;
 
+/// In longer lists nobody exchanges two arguments by a slip of the pen.
+constexpr std::size_t most_exchanged = 8;
+
 // Parentheses around everything that would otherwise be torn apart by an operator next to it.
 std::string as_operand(const Expression& e, const std::string& text) {
   const bool torn = e.kind == Kind::sum || e.kind == Kind::product || e.kind == Kind::power ||
@@ -25,8 +28,13 @@ std::string as_operand(const Expression& e, const std::string& text) {
 /// Walks over one comparison and collects what may be changed.
 class Walk {
  public:
-  Walk(const Line& line, const Names& names, const std::vector<Span>& determined)
-      : line_{line}, names_{names}, determined_{determined}, numbers_{numbers_in(line)} {}
+  Walk(const Line& line, const Names& names, const std::vector<std::string>& running,
+       const std::vector<Span>& determined)
+      : line_{line},
+        names_{names},
+        determined_{determined},
+        numbers_{numbers_in(line)},
+        running_{running} {}
 
   std::vector<Edit> edits(const syntax::Comparison& comparison) {
     result_ = sign_edits(line_, comparison.span);
@@ -134,11 +142,24 @@ class Walk {
     }
     for (const Argument& a : e.arguments) {
       if (!a.value) continue;
+      const std::size_t before = result_.size();
       visit(*a.value, NumberPlace::argument);
+      // Transposing twice is the same as not at all.
+      if (is_transpose) forget_transposed(*a.value, before);
       add_reversed_argument(*a.value);
     }
     running_.resize(running);
     add_exchanged(e);
+  }
+
+  void forget_transposed(const Expression& e, std::size_t from) {
+    const auto is_of_e = [&](const Edit& edit) {
+      return edit.what == "transposed" && edit.begin == Line::begin_of(e.span) &&
+             edit.end == Line::end_of(e.span);
+    };
+    result_.erase(std::remove_if(result_.begin() + static_cast<std::ptrdiff_t>(from),
+                                 result_.end(), is_of_e),
+                  result_.end());
   }
 
   void index(const Expression& e) {
@@ -172,6 +193,7 @@ class Walk {
   }
 
   void add_exchanged(const Expression& e) {
+    if (e.arguments.size() > most_exchanged) return;
     for (std::size_t a = 0; a < e.arguments.size(); ++a) {
       for (std::size_t b = a + 1; b < e.arguments.size(); ++b) {
         if (!e.arguments[a].value || !e.arguments[b].value) continue;
@@ -196,8 +218,9 @@ class Walk {
 }  // namespace
 
 std::vector<Edit> edits_of(const Line& line, const syntax::Comparison& comparison,
-                           const Names& names, const std::vector<Span>& determined) {
-  return Walk{line, names, determined}.edits(comparison);
+                           const Names& names, const std::vector<std::string>& running,
+                           const std::vector<Span>& determined) {
+  return Walk{line, names, running, determined}.edits(comparison);
 }
 
 }  // namespace patchproof

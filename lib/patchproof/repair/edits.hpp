@@ -10,8 +10,10 @@ namespace patchproof {
 
 /// All single changes of one comparison of a line that are tried, in the order of the text.
 ///
-/// `determined` are parts whose right value is computed, so that nothing has to be tried in them.
+/// `running` are the running indices of the claim. `determined` are parts whose right value is
+/// computed, so that nothing has to be tried in them.
 std::vector<Edit> edits_of(const Line& line, const syntax::Comparison& comparison,
-                           const Names& names, const std::vector<Span>& determined);
+                           const Names& names, const std::vector<std::string>& running,
+                           const std::vector<Span>& determined);
 
 }  // namespace patchproof

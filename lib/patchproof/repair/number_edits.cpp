@@ -16,7 +16,8 @@ bool fits(const Rational& number, NumberPlace place) {
   const bool natural = is_whole(number) && number >= 0;
   if (place == NumberPlace::index) return natural;
   if (place == NumberPlace::exponent) return natural && number <= highest_exponent;
-  return true;
+  // Below 0 is outside of most ranges.
+  return place != NumberPlace::argument || number >= 0;
 }
 
 bool follows_sign(const Line& line, std::size_t begin) {

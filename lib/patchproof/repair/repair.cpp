@@ -13,6 +13,9 @@ namespace {
 /// not of use to anybody.
 constexpr std::size_t most_combinations = 200;
 
+/// Thousands of variants of a statement are kept at a time.
+constexpr std::size_t longest_statement = 4000;
+
 /// A comparison of the statement, and the ways to make it true.
 struct Part {
   std::size_t begin = 0;
@@ -48,6 +51,9 @@ class StatementRepair {
   }
 
   void search(Repairs& result) {
+    if (result.printed.size() > longest_statement)
+      return not_tried(result, "the statement is longer than " + std::to_string(longest_statement) +
+                                   " characters");
     const std::optional<Line> whole = line_of(result.printed);
     if (printed_.joint || !whole) return not_tried(result, "only equations are repaired");
     const Names names{judge_.scope(), library_};

@@ -38,7 +38,7 @@ void ComparisonSearch::search() {
   Entries entries;
   const std::vector<Claim> claims = judge_.first_claims(line_.proposition);
   if (!claims.empty()) entries = entries_of(line_, claims.front(), limits_);
-  all_ = edits_of(line_, comparison, names_, entries.determined);
+  all_ = edits_of(line_, comparison, names_, judge_.running(), entries.determined);
   const std::size_t corrections = entries.corrections.size();
   for (std::size_t count = 1; count <= most_changes_ && found_.empty(); ++count) {
     if (corrections == count) try_edits(entries.corrections);
@@ -59,13 +59,13 @@ void ComparisonSearch::combine(std::size_t count, std::size_t from, std::vector<
 }
 
 void ComparisonSearch::try_edits(const std::vector<Edit>& edits) {
+  budget_.spend();
   const std::optional<Line> line = line_of(changed(line_.text, edits));
   if (!line || line->proposition.comparisons.size() != 1) return;
   const syntax::Comparison& comparison = line->proposition.comparisons.front();
   // 0*(…) == 0 and a == a are true, but nobody has meant them.
   if (is_trivial(comparison, names_)) return;
   if (!seen_.insert(canonical(comparison, names_)).second) return;
-  budget_.spend();
   if (!judge_.may_hold(line->proposition)) return;
   const Verdict verdict = judge_.decided(line->proposition).verdict;
   if (verdict == Verdict::internal) disagreement_ = true;

@@ -19,7 +19,7 @@ class SearchBudget {
       : most_{most_candidates}, end_{std::chrono::steady_clock::now() + time},
         timed_{time.count() != 0} {}
 
-  /// Counts one candidate. @throws SearchStopped
+  /// Counts one candidate, whatever becomes of it. @throws SearchStopped
   void spend();
   std::size_t spent() const { return spent_; }
 
