@@ -66,6 +66,19 @@ struct Source {
   std::string page;
 };
 
+/// One `assume` as written. Its relations are one after the other among the assumptions of the
+/// claims below it.
+struct WrittenAssumption {
+  /// "" where the author gave none.
+  std::string label;
+  /// Index of the first relation, and how many there are.
+  std::size_t first = 0;
+  std::size_t count = 0;
+  Span span;
+  /// Why it is there although no proof needs it; "" where the author does not say.
+  std::string note;
+};
+
 /// A case as read: everything typed, nothing decided.
 struct Case {
   std::string name;
@@ -75,6 +88,8 @@ struct Case {
   std::vector<std::string> tags;
   Limits limits;
   Span span;
+  /// Those of the first instance of a family.
+  std::vector<WrittenAssumption> assumptions;
   std::vector<Claim> claims;
   std::vector<Shown> shown;
 };

@@ -230,13 +230,14 @@ void CaseElaborator::declare(const syntax::Statement& statement) {
     case Kind::let:
       for (const Declarator& declarator : statement.declarators) declare_let(declarator);
       break;
-    default: assume(statement); break;
+    default: break;
   }
 }
 
-void CaseElaborator::assume(const syntax::Statement& statement) {
+void CaseElaborator::assume(const syntax::Statement& statement, Case& result) {
   const std::string label = statement.label ? statement.label->text : "";
   const std::vector<syntax::Binder>& binders = statement.clauses.binders;
+  const std::size_t first = assumptions_.size();
   for (const std::vector<int>& values :
        elaborator_.combinations(binders, scope_, most_instances)) {
     Goal goal = goal_of(statement.proposition, Elaborator::bound(scope_, binders, values));
@@ -244,6 +245,12 @@ void CaseElaborator::assume(const syntax::Statement& statement) {
     ranges_.insert(ranges_.end(), goal.ranges.begin() + static_cast<std::ptrdiff_t>(ranges_.size()),
                    goal.ranges.end());
   }
+  const bool of_first_instance = std::none_of(
+      result.assumptions.begin(), result.assumptions.end(),
+      [&](const WrittenAssumption& a) { return a.span.begin == statement.span.begin; });
+  if (of_first_instance)
+    result.assumptions.push_back({label, first, assumptions_.size() - first, statement.span,
+                                  statement.note.value_or("")});
 }
 
 void CaseElaborator::statement(const syntax::Statement& statement, Case& result) {
@@ -256,6 +263,7 @@ void CaseElaborator::statement(const syntax::Statement& statement, Case& result)
       case Kind::open:
       case Kind::derive:
       case Kind::erratum: claim(statement, result); break;
+      case Kind::assume: assume(statement, result); break;
       case Kind::show:
         result.shown.push_back(
             {statement.span, instance_, elaborator_.expression(*statement.shown, scope_)});

@@ -16,6 +16,20 @@ namespace patchproof {
 Case elaborated(const syntax::Case& written, const Library& library, const Limits& limits,
                 std::vector<Diagnostic>& diagnostics);
 
+/// One instance of a case: the values of the running indices of its family.
+struct CaseInstance {
+  /// "m=1,n=2"; "" for a case without a family.
+  std::string text;
+  std::vector<std::pair<syntax::Name, int>> values;
+};
+
+/// All instances of a case; one without values where there is no family.
+/// @throws Fault when the family has no or too many instances.
+std::vector<CaseInstance> instances_of(const syntax::Case& written, const Library& library);
+
+/// Whether such a statement says something, rather than something about the case as a whole.
+bool has_meaning(syntax::Statement::Kind kind);
+
 /// The work on one instance of a case; see `elaborated`.
 class CaseElaborator {
  public:
@@ -25,6 +39,8 @@ class CaseElaborator {
   /// A running index of the family, before any statement.
   void declare_number(const std::string& name, int value, const Span& span);
   void statement(const syntax::Statement& statement, Case& result);
+  /// What is declared so far.
+  const Scope& scope() const { return scope_; }
 
  private:
   // declarations (case_declarations.cpp)
@@ -34,7 +50,7 @@ class CaseElaborator {
   void declare_functions(const syntax::Statement& statement);
   void declare_matrix(const syntax::Declarator& declarator);
   void declare_let(const syntax::Declarator& declarator);
-  void assume(const syntax::Statement& statement);
+  void assume(const syntax::Statement& statement, Case& result);
   Term unknown_function(const syntax::Statement& statement, const syntax::Declarator& declarator,
                         const Type& value);
   Term degree_function(const syntax::Statement& statement, const syntax::Declarator& declarator,

@@ -4,6 +4,7 @@
 //   derive LABEL : expressions from proposition {, proposition}
 //       [ gives expressions ] [ leaves expressions ] [ inconsistent ] { clause }
 //   erratum LABEL printed proposition corrected proposition [ note STRING ] end
+//   assume [ LABEL : ] comparison {, comparison} [ note STRING ]
 //   proposition = "C^k" joint of edge and edge | comparison {, comparison}
 //   clause      = using LABEL {, LABEL} | for binder {, binder}
 
@@ -203,6 +204,7 @@ void assumption(TokenStream& stream, Statement& statement) {
   if (stream.is(Token::Kind::name) && stream.is(":", 1)) statement.label = label(stream);
   statement.proposition = comparisons(stream, "an assumption");
   if (stream.accept("for")) statement.clauses.binders = binders(stream);
+  if (stream.accept("note")) statement.note = stream.quoted_text();
 }
 
 void claim(TokenStream& stream, Statement& statement) {

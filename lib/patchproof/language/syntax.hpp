@@ -190,7 +190,7 @@ struct Statement {
   bool inconsistent = false;                ///< derive ... inconsistent
   Proposition printed;                      ///< erratum
   Proposition corrected;                    ///< erratum
-  std::optional<std::string> note;          ///< erratum
+  std::optional<std::string> note;          ///< erratum, assume
   ExpressionPointer shown;                  ///< show
 };
 

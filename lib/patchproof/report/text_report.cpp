@@ -4,6 +4,7 @@
 #include <map>
 
 #include <patchproof/language/utf8.hpp>
+#include <patchproof/report/audit_text.hpp>
 #include <patchproof/report/claim_lines.hpp>
 #include <patchproof/report/colour.hpp>
 #include <patchproof/report/finding.hpp>
@@ -31,6 +32,8 @@ class TextReport {
     if (style_.verbosity != Verbosity::quiet)
       for_each_case([&](const CaseResult& result) { case_lines(result); });
     for_each_case([&](const CaseResult& result) { findings(result); });
+    for (const FileReport& file : report_.files)
+      for (const CaseAudit& audit : file.audits) audit_lines(audit);
     if (!text_.empty()) text_ += "\n";
     const std::string summary = in_words(summary_of(report_));
     return text_ + (style_.colour ? bold(summary) : summary) + "\n";
@@ -44,6 +47,11 @@ class TextReport {
   }
 
   bool verbose() const { return style_.verbosity == Verbosity::verbose; }
+
+  void audit_lines(const CaseAudit& audit) {
+    const std::string text = audit_text(audit, style_.verbosity == Verbosity::quiet);
+    if (!text.empty()) text_ += (text_.empty() ? "" : "\n") + text;
+  }
 
   std::vector<ClaimLine> lines_of(const CaseResult& result) const {
     if (!verbose()) return claim_lines(result, report_.strict);
