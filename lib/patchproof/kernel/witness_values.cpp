@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <patchproof/kernel/frame.hpp>
 #include <patchproof/kernel/interpolation.hpp>
 #include <patchproof/kernel/polynomial_term.hpp>
 #include <patchproof/term/replacement.hpp>
@@ -101,6 +102,49 @@ class Values {
                                      [&](const auto& value) { return value.first == v; });
   }
 
+  bool is_assigned(Variable v) const {
+    return std::any_of(assigned_.begin(), assigned_.end(),
+                       [&](const auto& value) { return value.first == v; });
+  }
+
+  // A value tried for a function under an integral is meant for a place between its ends.
+  Fraction sampled(const Fraction& argument, Variable jet) {
+    if (!is_assigned(jet)) return argument;
+    std::map<Variable, Fraction> places;
+    for (const Variable v : variables(argument)) {
+      const Atom atom = workspace_.atoms[v];
+      if (atom.kind != Atom::Kind::running) continue;
+      const Fraction length = difference(atom.arguments[1], atom.arguments[0], workspace_.budget);
+      const Rational part{1, atom.component + 3};
+      places.emplace(v, sum(atom.arguments[0], product(length, part, workspace_.budget),
+                            workspace_.budget));
+    }
+    return substituted(argument, places, workspace_.budget);
+  }
+
+  // A polynomial with the values assumed on edges, and one that vanishes there.
+  std::optional<Frame> frame(const SymbolPointer& symbol, int c, const std::vector<Variable>& slots) {
+    Frame result{Polynomial{}, Polynomial{Rational{1}}};
+    for (const Hypotheses::EdgeValue& edge : hypotheses_.edges(*symbol, c)) {
+      std::vector<Variable> along;
+      EdgePolynomial part;
+      for (std::size_t k = 0; k < slots.size(); ++k) {
+        if (!edge.fixed[k]) {
+          along.push_back(slots[k]);
+          continue;
+        }
+        part.slot = slots[k];
+        part.at = *edge.fixed[k];
+        part.order = edge.orders[k];
+      }
+      const std::optional<Polynomial> value = defined_component(edge.definition, along);
+      if (!value) return std::nullopt;
+      part.value = *value;
+      add_edge(part, result, workspace_.budget);
+    }
+    return result;
+  }
+
   // The unknown function as a polynomial in its slots, through all the values it must have.
   std::optional<Polynomial> component(const SymbolPointer& symbol, int c,
                                       const std::vector<Variable>& slots) {
@@ -120,8 +164,11 @@ class Values {
         continue;
       Prescription p{atom.orders, {}, 0};
       bool numeric = true;
-      for (const Fraction& argument : atom.arguments) {
+      for (const Fraction& given : atom.arguments) {
+        const Fraction argument = sampled(given, v);
         bool has_slot = false;
+        for (const Variable x : variables(argument))
+          has_slot = has_slot || workspace_.atoms[x].kind == Atom::Kind::running;
         for (const Variable x : variables(argument))
           has_slot = has_slot || workspace_.atoms[x].kind == Atom::Kind::slot ||
                      (workspace_.atoms[x].symbol &&
@@ -136,7 +183,12 @@ class Values {
       p.value = *value;
       prescriptions.push_back(std::move(p));
     }
-    std::optional<Polynomial> result = interpolant(prescriptions, slots, workspace_.budget);
+    const std::optional<Frame> around = frame(symbol, c, slots);
+    if (!around) return std::nullopt;
+    std::optional<Polynomial> result =
+        around->vanishing.is_constant()
+            ? interpolant(prescriptions, slots, workspace_.budget)
+            : framed_interpolant(prescriptions, *around, slots, workspace_.budget);
     if (result) functions_.emplace(key, *result);
     return result;
   }

@@ -169,6 +169,7 @@ const std::vector<Builtin>& builtins() {
       {"cross", "cross(a, b)", 2, 2, [](const Call& c) { return of_two_points(c, Operation::cross); }},
       {"transpose", "transpose(M)", 1, 1, transpose},
       {"diff", "diff(r, u, 2, v)", 2, many, derivative_of},
+      {"integral", "integral(f(u), u in [0, 1])", 2, many, integral_of},
       {"sum", "sum(b[i]*x^i, i in 0..3)", 2, many, finite_sum},
       {"net", "net(c[i,0], i in 0..3, j in 0..3)", 2, 3, net},
       {"rows", "rows(M)", 1, 1, [](const Call& c) { return extent(c, true); }},
