@@ -19,7 +19,8 @@ std::string random_polynomial(std::mt19937& random) {
 }
 
 const std::string unknown_functions =
-    "scalar a, b, c, x\nscalar f(t) : C^2\nscalar g(t) : C^2\nscalar h(u, v) : C^4\nscalar k(u, v) : C^2\n";
+    "scalar a, b, c, x\nscalar f(t) : C^2\nscalar g(t) : C^2\nscalar h(u, v) : C^4\nscalar k(u, v) "
+    ": C^2\n";
 
 std::string of_functions(const std::string& proposition) {
   return verdict(unknown_functions, proposition);
@@ -33,13 +34,13 @@ TEST_CASE("the integral is linear, and its ranges add up", "[integral][law]") {
     const std::string p = random_polynomial(random);
     const std::string q = random_polynomial(random);
     const std::string over = ", s in [a, b], t in [0, 2])";
-    CHECK(verdict("scalar a, b, c, x", "integral(x*" + p + " - 3*" + q + over + " == x*integral(" + p +
-                                        over + " - 3*integral(" + q + over) == "PROVED");
+    CHECK(verdict("scalar a, b, c, x", "integral(x*" + p + " - 3*" + q + over + " == x*integral(" +
+                                           p + over + " - 3*integral(" + q + over) == "PROVED");
     CHECK(verdict("scalar a, b, c, t", "integral(" + p + ", s in [a, b]) + integral(" + p +
-                                        ", s in [b, c]) == integral(" + p + ", s in [a, c])") ==
+                                           ", s in [b, c]) == integral(" + p + ", s in [a, c])") ==
           "PROVED");
     CHECK(verdict("scalar a, b, c, t", "integral(" + p + ", s in [a, b]) == -integral(" + p +
-                                        ", s in [b, a])") == "PROVED");
+                                           ", s in [b, a])") == "PROVED");
   }
   CHECK(of_functions("integral(x*f(s) + g(s), s in [a, b]) == x*integral(f(s), s in [a, b]) + "
                      "integral(g(s), s in [a, b])") == "PROVED");
@@ -49,8 +50,9 @@ TEST_CASE("the order of integration does not matter", "[integral][law]") {
   std::mt19937 random{7};
   for (int round = 0; round < 8; ++round) {
     const std::string p = random_polynomial(random);
-    CHECK(verdict("scalar a, b", "integral(" + p + ", s in [0, a], t in [b, 3]) == integral(integral(" +
-                                     p + ", s in [0, a]), t in [b, 3])") == "PROVED");
+    CHECK(verdict("scalar a, b", "integral(" + p +
+                                     ", s in [0, a], t in [b, 3]) == integral(integral(" + p +
+                                     ", s in [0, a]), t in [b, 3])") == "PROVED");
   }
   CHECK(of_functions("integral(h(s,t)^2*f(t), s in [0, 1], t in [0, 2]) == "
                      "integral(h(s,t)^2*f(t), t in [0, 2], s in [0, 1])") == "PROVED");
@@ -74,8 +76,9 @@ TEST_CASE("the fundamental theorem holds in both directions", "[integral][law]")
   CHECK(verdict(upper, "F(a) == 0") == "PROVED");
   CHECK(verdict(upper, "F'(x) == f(x)*g(a)") == "REFUTED");
   const std::string lower = unknown_functions + "let F(x) = integral(h(s,x)^2, s in [x, x^2])\n";
-  CHECK(verdict(lower, "F'(x) == 2*x*h(x^2,x)^2 - h(x,x)^2 + "
-                       "2*integral(h(s,x)*h_v(s,x), s in [x, x^2])") == "PROVED");
+  CHECK(verdict(lower,
+                "F'(x) == 2*x*h(x^2,x)^2 - h(x,x)^2 + "
+                "2*integral(h(s,x)*h_v(s,x), s in [x, x^2])") == "PROVED");
 }
 
 TEST_CASE("integration by parts", "[integral][law]") {
@@ -88,16 +91,29 @@ TEST_CASE("integration by parts", "[integral][law]") {
 
 TEST_CASE("known integrals", "[integral][literature]") {
   // Farin, Curves and Surfaces for CAGD, ch. 5: each Bernstein polynomial has the integral 1/(n+1).
-  CHECK(verdicts("scalar x\nprove all: integral(bernstein(5, i, t), t in [0, 1]) == 1/6 for i in 0..5\n")
+  CHECK(verdicts(
+            "scalar x\nprove all: integral(bernstein(5, i, t), t in [0, 1]) == 1/6 for i in 0..5\n")
             .find("PROVED") == std::string("all[i=0] ").size());
   // Euler's beta function: integral of t^3 (1-t)^4 = 3! 4! / 8!.
   CHECK(verdict("", "integral(t^3*(1-t)^4, t in [0, 1]) == 1/280") == "PROVED");
   CHECK(verdict("", "integral(t^3*(1-t)^4, t in [0, 1]) == 1/281") == "REFUTED");
-  CHECK(verdict("scalar r", "integral(x^2 + y^2, x in [-r, r], y in [-r, r]) == 8/3*r^4") == "PROVED");
+  CHECK(verdict("scalar r", "integral(x^2 + y^2, x in [-r, r], y in [-r, r]) == 8/3*r^4") ==
+        "PROVED");
   CHECK(verdict("", "integral((t, t^2, 1), t in [0, 3]) == (9/2, 9, 3)") == "PROVED");
   // A divisor that does not vanish anywhere and does not depend on the variable is kept outside.
   CHECK(verdict("scalar a", "integral(t/(a^2 + 1), t in [0, 2]) == 2/(a^2 + 1)") == "PROVED");
   CHECK(verdict("scalar a", "integral(t/a, t in [0, 2]) == 2/a") == "PROVED IF");
+}
+
+TEST_CASE("the integral of squares is not negative, forward", "[integral]") {
+  CHECK(of_functions("integral(h(s,t)^2, s in [0, 1], t in [0, 2]) >= 0") == "PROVED");
+  CHECK(of_functions("integral(h(s,t)^2*s^2*f(t)^4, s in [-1, 1], t in [0, 2]) >= 0") == "PROVED");
+  CHECK(of_functions("2*integral(f(s)^2, s in [0, 1]) + integral(g(s)^2, s in [0, 1]) >= "
+                     "integral(f(s)^2, s in [0, 1])") == "PROVED");
+  CHECK(of_functions("integral(f(s)^2, s in [a, b]) >= 0") != "PROVED");
+  CHECK(of_functions("integral(f(s)^2*s, s in [-1, 0]) >= 0") != "PROVED");
+  CHECK(of_functions("integral(f(s)^2, s in [0, 1]) > 0") != "PROVED");
+  CHECK(of_functions("integral(f(s), s in [0, 1]) >= 0") != "PROVED");
 }
 
 TEST_CASE("an integral that does not exist has no value", "[integral][reject]") {
@@ -116,27 +132,32 @@ TEST_CASE("an integral that does not exist has no value", "[integral][reject]") 
   CHECK(verdicts("prove p: integral(sqrt(u^2 + 1), u in [0, 1]) == 1\n") ==
         "p UNKNOWN (the integral of a root that depends on a variable of the integral is not "
         "worked out in this version)\n");
-  CHECK(verdicts("scalar f(t) : C^1\nprove p: integral(f(s*integral(f(t), t in [0, s])), s in [0, 1]) "
-                 "== 1\n") ==
+  CHECK(verdicts(
+            "scalar f(t) : C^1\nprove p: integral(f(s*integral(f(t), t in [0, s])), s in [0, 1]) "
+            "== 1\n") ==
         "p UNKNOWN (an integral inside another that depends on its variables is not worked out in "
         "this version)\n");
 }
 
 TEST_CASE("the variable of an integral is not mistaken for others", "[integral]") {
-  const std::string f = "param u, v in [0, 1]\nscalar a\nscalar f(u) : C^1\n"
-                        "let F(a) = integral(f(u)*f(a*u), u in [0, 1])\n";
+  const std::string f =
+      "param u, v in [0, 1]\nscalar a\nscalar f(u) : C^1\n"
+      "let F(a) = integral(f(u)*f(a*u), u in [0, 1])\n";
   CHECK(verdict(f, "F(1) == integral(f(t)^2, t in [0, 1])") == "PROVED");
   CHECK(verdict(f, "F(u) == integral(f(t)*f(u*t), t in [0, 1])") == "PROVED");
   CHECK(verdict(f, "F(u) == integral(f(t)*f(t^2), t in [0, 1])") == "REFUTED");
   // A value that is itself an integral goes outside, whatever its variable is called.
-  CHECK(verdict(f, "integral(f(u)*integral(f(u), u in [0, 1]), u in [0, 1]) == "
-                   "integral(f(t), t in [0, 1])^2") == "PROVED");
-  CHECK(verdict(f, "F(integral(u^2, u in [0, 3])) == integral(f(u)*f(9*u), u in [0, 1])") == "PROVED");
+  CHECK(verdict(f,
+                "integral(f(u)*integral(f(u), u in [0, 1]), u in [0, 1]) == "
+                "integral(f(t), t in [0, 1])^2") == "PROVED");
+  CHECK(verdict(f, "F(integral(u^2, u in [0, 3])) == integral(f(u)*f(9*u), u in [0, 1])") ==
+        "PROVED");
 }
 
 TEST_CASE("values on an edge hold along the edge and inside the range only", "[integral][edge]") {
-  const std::string edge = "param u, v in [0, 1]\nscalar h(u, v) : C^2\nscalar f(u) : C^2\n"
-                           "assume south: h(u,0) == f(u)\n";
+  const std::string edge =
+      "param u, v in [0, 1]\nscalar h(u, v) : C^2\nscalar f(u) : C^2\n"
+      "assume south: h(u,0) == f(u)\n";
   CHECK(verdict(edge, "h_u(u,0) == f'(u)") == "PROVED");
   CHECK(verdict(edge, "h_uu(1/2,0) == f''(1/2)") == "PROVED");
   CHECK(verdict(edge, "h_v(u,0) == 0") == "REFUTED");
@@ -146,15 +167,18 @@ TEST_CASE("values on an edge hold along the edge and inside the range only", "[i
         "PROVED");
   CHECK(verdict(edge, "integral(h(s,0)^2, s in [0, 2]) == integral(f(s)^2, s in [0, 2])") ==
         "UNKNOWN");
-  const std::string slope = "param u, v in [0, 1]\nscalar h(u, v) : C^2\nassume flat: h_v(u,0) == 0\n";
+  const std::string slope =
+      "param u, v in [0, 1]\nscalar h(u, v) : C^2\nassume flat: h_v(u,0) == 0\n";
   CHECK(verdict(slope, "h_uv(u,0) == 0") == "PROVED");
   CHECK(verdict(slope, "h_u(u,0) == 0") == "REFUTED");
-  const std::string frame = "param u, v in [0, 1]\nscalar h(u, v) : C^2\n"
-                            "assume edges: h(u,0) == 0, h(u,1) == 0, h(0,v) == 0, h(1,v) == v*(1-v)\n";
+  const std::string frame =
+      "param u, v in [0, 1]\nscalar h(u, v) : C^2\n"
+      "assume edges: h(u,0) == 0, h(u,1) == 0, h(0,v) == 0, h(1,v) == v*(1-v)\n";
   CHECK(verdict(frame, "h_v(1,v) == 1 - 2*v") == "PROVED");
   CHECK(verdict(frame, "h(1/2,1/2) == 0") == "REFUTED");
-  const std::string torn = "param u, v in [0, 1]\nscalar h(u, v) : C^2\n"
-                           "assume edges: h(u,0) == 0, h(0,v) == 1\n";
+  const std::string torn =
+      "param u, v in [0, 1]\nscalar h(u, v) : C^2\n"
+      "assume edges: h(u,0) == 0, h(0,v) == 1\n";
   CHECK(verdict(torn, "h(u,0) == 0") != "PROVED");
 }
 

@@ -11,9 +11,10 @@ const std::string energy =
     "patch c(u, v) = bezier(discrete_coons(b))\n"
     "let E(q) = integral(q_uv^2, u in [0, 1], v in [0, 1])\n";
 
-const std::string bar = "param t in [0, 1]\nscalar a, b\nscalar q[0..2]\n"
-                        "curve p(t) = bezier(q)\n"
-                        "let L(q) = integral(q'(t)^2, t in [0, 1])\n";
+const std::string bar =
+    "param t in [0, 1]\nscalar a, b\nscalar q[0..2]\n"
+    "curve p(t) = bezier(q)\n"
+    "let L(q) = integral(q'(t)^2, t in [0, 1])\n";
 
 Decision decision_of(const std::string& statements) {
   return results_of("case t\n" + statements + "end\n").at(0).claims.at(0).decision;
@@ -28,22 +29,28 @@ std::string details_of(const std::string& statements) {
 
 }  // namespace
 
-TEST_CASE("the Coons patch has the least twist energy, and is the only one", "[minimum][literature]") {
-  // Farin, Curves and Surfaces for CAGD, ch. 22. The Hessian is 2 K (x) K, K = [6/5, 3/10 ; 3/10, 6/5].
-  const Decision decision = decision_of(energy + "prove m: c minimizes E(p) over p where p == c on boundary\n");
+TEST_CASE("the Coons patch has the least twist energy, and is the only one",
+          "[minimum][literature]") {
+  // Farin, Curves and Surfaces for CAGD, ch. 22. The Hessian is 2 K (x) K, K = [6/5, 3/10 ; 3/10,
+  // 6/5].
+  const Decision decision =
+      decision_of(energy + "prove m: c minimizes E(p) over p where p == c on boundary\n");
   CHECK(to_text(decision.verdict) == "PROVED");
   CHECK(to_text(decision.evidence) == "both engines");
   CHECK(details_of(energy + "prove m: c minimizes E(p) over p where p == c on boundary\n") ==
-        "Hessian: 4 x 4, positive definite; pivots: 72/25, 27/10 (2 times), 81/32; minimiser: unique");
+        "Hessian: 4 x 4, positive definite; pivots: 72/25, 27/10 (2 times), 81/32; minimiser: "
+        "unique");
 }
 
 TEST_CASE("the segment is the curve of least energy between its ends", "[minimum]") {
-  CHECK(details_of(bar + "prove m: (1-t)*a + t*b minimizes L(p) over p where p(0) == a, p(1) == b\n") ==
+  CHECK(details_of(bar +
+                   "prove m: (1-t)*a + t*b minimizes L(p) over p where p(0) == a, p(1) == b\n") ==
         "Hessian: 1 x 1, positive definite; pivots: 8/3; minimiser: unique");
   // With one end free every constant is as good.
-  CHECK(details_of(bar + "prove m: a minimizes L(p) over p\n") ==
-        "Hessian: 3 x 3, positive semidefinite; pivots: 8/3, 2; minimiser: not unique: 1 directions "
-        "do not change the value");
+  CHECK(
+      details_of(bar + "prove m: a minimizes L(p) over p\n") ==
+      "Hessian: 3 x 3, positive semidefinite; pivots: 8/3, 2; minimiser: not unique: 1 directions "
+      "do not change the value");
 }
 
 TEST_CASE("what is not least is refuted by a better competitor", "[minimum]") {
@@ -65,7 +72,8 @@ TEST_CASE("what is not least is refuted by a better competitor", "[minimum]") {
         "a = 0, b = 0, q[0] = 0, q[1] = 1, q[2] = 0", "0 vs -4/3");
   // A linear functional has no least value.
   const std::string linear = bar + "let M(q) = integral(q(t), t in [0, 1])\n";
-  check(linear + "refute m: 0 minimizes M(p) over p\n", "q[0] = -1, q[1] = 0, q[2] = 0", "0 vs -1/3");
+  check(linear + "refute m: 0 minimizes M(p) over p\n", "q[0] = -1, q[1] = 0, q[2] = 0",
+        "0 vs -1/3");
 }
 
 TEST_CASE("indefinite forms are told from semidefinite ones", "[minimum]") {
@@ -80,8 +88,9 @@ TEST_CASE("a candidate has to be one of the competitors", "[minimum][reject]") {
   CHECK(verdicts(bar + "prove m: t^3 minimizes L(p) over p\n") ==
         "m ERROR (the candidate is not among the competitors: no control points of theirs give "
         "it)\n");
-  CHECK(verdicts(bar + "prove m: (1-t)*a + t*b minimizes L(p) over p where p(0) == b, p(1) == b\n") ==
-        "m ERROR (the candidate does not satisfy the constraint p(0) == b)\n");
+  CHECK(
+      verdicts(bar + "prove m: (1-t)*a + t*b minimizes L(p) over p where p(0) == b, p(1) == b\n") ==
+      "m ERROR (the candidate does not satisfy the constraint p(0) == b)\n");
   CHECK(verdicts(bar + "prove m: a minimizes L(p) over p where p(0)^2 == a^2\n") ==
         "m UNKNOWN (the equations are not linear in the unknowns)\n");
 }
@@ -90,13 +99,16 @@ TEST_CASE("functionals that are not quadratic are not decided", "[minimum][rejec
   const std::string not_quadratic =
       "m UNKNOWN (the functional is not a polynomial of degree 2 in the control points of the "
       "competitor)\n";
-  CHECK(verdicts(bar + "let Q(q) = integral(q'(t)^4, t in [0, 1])\nprove m: a minimizes Q(p) over p\n") ==
+  CHECK(verdicts(bar +
+                 "let Q(q) = integral(q'(t)^4, t in [0, 1])\nprove m: a minimizes Q(p) over p\n") ==
         not_quadratic);
   CHECK(verdicts(bar + "let Q(q) = 1/(1 + q(0)^2)\nprove m: a minimizes Q(p) over p\n") ==
         not_quadratic);
-  CHECK(verdicts(bar + "let Q(q) = exp(q(0))\nprove m: a minimizes Q(p) over p\n") == not_quadratic);
-  CHECK(verdicts(bar + "scalar k\nlet Q(q) = k^2*q(0)^2\nprove m: 0 minimizes Q(p) over p\n") ==
-        "m UNKNOWN (the Hessian of the functional contains symbols, and its sign was not settled)\n");
+  CHECK(verdicts(bar + "let Q(q) = exp(q(0))\nprove m: a minimizes Q(p) over p\n") ==
+        not_quadratic);
+  CHECK(
+      verdicts(bar + "scalar k\nlet Q(q) = k^2*q(0)^2\nprove m: 0 minimizes Q(p) over p\n") ==
+      "m UNKNOWN (the Hessian of the functional contains symbols, and its sign was not settled)\n");
 }
 
 TEST_CASE("assumptions about what is given are used for minima", "[minimum]") {

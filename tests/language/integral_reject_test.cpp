@@ -12,7 +12,8 @@ std::string messages_of_case(const std::string& statements) {
 
 }  // namespace
 
-TEST_CASE("an integral needs variables with ranges that are not empty", "[language][reject][integral]") {
+TEST_CASE("an integral needs variables with ranges that are not empty",
+          "[language][reject][integral]") {
   CHECK(messages_of_case("  show integral(u, u in [1, 0])\n") ==
         R"~(bad.proof:2:25: error: the empty range [1, 0]
      2 |   show integral(u, u in [1, 0])
@@ -54,8 +55,9 @@ TEST_CASE("an integral needs variables with ranges that are not empty", "[langua
 }
 
 TEST_CASE("the ends of a range do not depend on the variables", "[language][reject][integral]") {
-  CHECK(messages_of_case("  param u in [0, 1]\n  show integral(u, u in [0, u])\n") ==
-        R"~(bad.proof:3:29: error: the ends of a range cannot contain 'u', which is a variable of this integral
+  CHECK(
+      messages_of_case("  param u in [0, 1]\n  show integral(u, u in [0, u])\n") ==
+      R"~(bad.proof:3:29: error: the ends of a range cannot contain 'u', which is a variable of this integral
      3 |   show integral(u, u in [0, u])
        |                             ^
        = help: give the variable of the integral another name
@@ -64,8 +66,9 @@ TEST_CASE("the ends of a range do not depend on the variables", "[language][reje
 
 TEST_CASE("a value in the parameter of the case is no function to be integrated",
           "[language][reject][integral]") {
-  CHECK(messages_of_case("  param u in [0, 1]\n  let k = u^2\n  show integral(k, u in [0, 1])\n") ==
-        R"~(bad.proof:4:17: error: this integrand contains the parameter 'u' of the case, which is not the variable 'u' of the integral
+  CHECK(
+      messages_of_case("  param u in [0, 1]\n  let k = u^2\n  show integral(k, u in [0, 1])\n") ==
+      R"~(bad.proof:4:17: error: this integrand contains the parameter 'u' of the case, which is not the variable 'u' of the integral
      4 |   show integral(k, u in [0, 1])
        |                 ^
        = help: make what contains it a function, as in 'let f(u) = ...'
@@ -125,8 +128,9 @@ TEST_CASE("what a minimum is said of has to make sense", "[language][reject][min
      9 |   prove m: r minimizes E(r) over p
        |                        ^^^^
 )~");
-  CHECK(messages_of_case(given + "  prove m: r minimizes p over p\n") ==
-        R"~(bad.proof:9:24: error: what is minimized contains the parameter 'u', so that it is no number
+  CHECK(
+      messages_of_case(given + "  prove m: r minimizes p over p\n") ==
+      R"~(bad.proof:9:24: error: what is minimized contains the parameter 'u', so that it is no number
      9 |   prove m: r minimizes p over p
        |                        ^
        = help: minimize an integral, or the value at one place

@@ -54,7 +54,8 @@ class Minimum {
       if (!linear[f].is_zero()) return not_stationary(f);
     const auto hessian = search_.hessian();
     if (!hessian) {
-      result.reason = "the Hessian of the functional contains symbols, and its sign was not settled";
+      result.reason =
+          "the Hessian of the functional contains symbols, and its sign was not settled";
       return result;
     }
     const QuadraticForm form = quadratic_form(*hessian, workspace_.budget);
@@ -78,13 +79,13 @@ class Minimum {
     result.conditions = in_words(conditions, workspace_);
     const std::size_t size = search_.linear_part().size();
     const bool definite = form.kind == QuadraticForm::Kind::positive_definite;
-    result.details = {{"Hessian", size_in_words(size) + (definite ? ", positive definite"
-                                                                  : ", positive semidefinite")},
-                      {"pivots", pivots_in_words(form.pivots)},
-                      {"minimiser", definite ? std::string{"unique"}
-                                             : "not unique: " +
-                                                   std::to_string(size - form.pivots.size()) +
-                                                   " directions do not change the value"}};
+    result.details = {
+        {"Hessian",
+         size_in_words(size) + (definite ? ", positive definite" : ", positive semidefinite")},
+        {"pivots", pivots_in_words(form.pivots)},
+        {"minimiser", definite ? std::string{"unique"}
+                               : "not unique: " + std::to_string(size - form.pivots.size()) +
+                                     " directions do not change the value"}};
     if (form.pivots.empty()) result.details.erase(result.details.begin() + 1);
     cross_check_ = search_.difference_as_claim();
     return result;
@@ -121,8 +122,10 @@ class Minimum {
     target.not_zero.push_back(search_.linear_part()[f]);
     Decision result = refutation(target);
     if (result.verdict == Verdict::refuted) {
-      result.residual = to_text(Fraction{search_.linear_part()[f]}, workspace_.atoms, workspace_.budget);
-      result.details = {{"first variation", "not zero when " + search_.direction_name(f) + " changes"}};
+      result.residual =
+          to_text(Fraction{search_.linear_part()[f]}, workspace_.atoms, workspace_.budget);
+      result.details = {
+          {"first variation", "not zero when " + search_.direction_name(f) + " changes"}};
     }
     return result;
   }
@@ -132,16 +135,17 @@ class Minimum {
     add(search_.conditions(), target);
     Decision result = refutation(target);
     if (result.verdict == Verdict::refuted)
-      result.details = {{"Hessian", size_in_words(search_.linear_part().size()) +
-                                        ", negative in some direction"},
-                        {"pivots", pivots_in_words(form.pivots)}};
+      result.details = {
+          {"Hessian", size_in_words(search_.linear_part().size()) + ", negative in some direction"},
+          {"pivots", pivots_in_words(form.pivots)}};
     return result;
   }
 
   // Numbers for everything that is given, then a competitor that is better than the candidate.
   Decision refutation(const WitnessTarget& target) {
     Decision result;
-    result.reason = "the candidate is not stationary or not least, but no better competitor was found";
+    result.reason =
+        "the candidate is not stationary or not least, but no better competitor was found";
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       std::optional<Witness> witness =
           find_witness(goal_.goal, target, search_.hypotheses(), workspace_, attempt);
@@ -171,7 +175,8 @@ class Minimum {
 
   std::optional<std::vector<KnownValue>> better_competitor(const Witness& witness) {
     std::map<unsigned, Term> images;
-    for (const KnownValue& value : witness.values) images.emplace(value.symbol->ordinal, value.value);
+    for (const KnownValue& value : witness.values)
+      images.emplace(value.symbol->ordinal, value.value);
     for (const SymbolPointer& unknown : goal_.unknowns) images.erase(unknown->ordinal);
     // Equations are for all parameters: only the functional itself is taken at their values.
     std::map<unsigned, Term> constants = images;
@@ -219,7 +224,8 @@ Decision minimum(const MinimumGoal& goal, const Limits& limits, Engines engines)
   if (opinion.answer == SecondOpinion::Answer::fails) {
     result.verdict = Verdict::internal;
     result.evidence = Evidence::none;
-    result.reason = "the engines disagree about the change of the functional: " + opinion.normal_form;
+    result.reason =
+        "the engines disagree about the change of the functional: " + opinion.normal_form;
   }
   return result;
 }

@@ -111,8 +111,9 @@ void MinimumSearch::find_directions() {
 Fraction MinimumSearch::moved(std::size_t unknown) {
   Fraction result = candidate_[unknown];
   for (std::size_t f = 0; f < free_.size(); ++f)
-    result = sum(result, scaled(Polynomial::variable(variables_[free_[f]]), directions_[unknown][f]),
-                 workspace_.budget);
+    result =
+        sum(result, scaled(Polynomial::variable(variables_[free_[f]]), directions_[unknown][f]),
+            workspace_.budget);
   return result;
 }
 
@@ -128,8 +129,8 @@ void MinimumSearch::expand() {
   for (std::size_t k = 0; k < variables_.size(); ++k) images.emplace(variables_[k], moved(k));
   const Fraction changed = Substitution{std::move(images), workspace_}(there);
   const Fraction here = evaluator_.value(values.left).components.front();
-  const Fraction d = normal_form(
-      hypotheses_.reduced(difference(changed, here, workspace_.budget)), workspace_);
+  const Fraction d =
+      normal_form(hypotheses_.reduced(difference(changed, here, workspace_.budget)), workspace_);
   if (!d.is_polynomial())
     throw OutsideTheory{"the functional is divided by something that contains symbols"};
   difference_ = d.numerator();
@@ -140,11 +141,11 @@ void MinimumSearch::expand() {
     Monomial rest = term.monomial;
     std::vector<std::size_t> factors;
     for (const auto& p : term.monomial.powers()) {
-      const auto found = std::find_if(free_.begin(), free_.end(), [&](std::size_t k) {
-        return variables_[k] == p.variable;
-      });
+      const auto found = std::find_if(free_.begin(), free_.end(),
+                                      [&](std::size_t k) { return variables_[k] == p.variable; });
       if (found == free_.end()) {
-        for (const Variable v : variables_within(Polynomial::variable(p.variable), workspace_.atoms))
+        for (const Variable v :
+             variables_within(Polynomial::variable(p.variable), workspace_.atoms))
           if (std::find(variables_.begin(), variables_.end(), v) != variables_.end())
             not_quadratic();
         continue;
@@ -155,7 +156,8 @@ void MinimumSearch::expand() {
     }
     if (factors.size() > 2) not_quadratic();
     if (factors.empty())
-      throw OutsideTheory{"the value of the functional at the candidate depends on how it is given"};
+      throw OutsideTheory{
+          "the value of the functional at the candidate depends on how it is given"};
     if (factors.size() == 1)
       linear[factors[0]].push_back({rest, term.coefficient});
     else
@@ -239,9 +241,9 @@ Goal MinimumSearch::difference_as_claim() {
   for (const KnownValue& image : *images) replacements.emplace(image.symbol->ordinal, image.value);
   const Term change = scalar_term(Fraction{difference_}, workspace_.atoms);
   Goal result = goal_.goal;
-  result.statements = {
-      {replaced(given.right, replacements), Relation::equal,
-       make_term(Operation::sum, Type::scalar(), {given.left, change}), given.span}};
+  result.statements = {{replaced(given.right, replacements), Relation::equal,
+                        make_term(Operation::sum, Type::scalar(), {given.left, change}),
+                        given.span}};
   return result;
 }
 

@@ -15,8 +15,8 @@ class MinimumSearch {
  public:
   MinimumSearch(const MinimumGoal& goal, Workspace& workspace);
 
-  /// Finds the candidate among the competitors, the free directions and the polynomial. Says why the
-  /// claim has no meaning: the candidate is no competitor; "" when all is well.
+  /// Finds the candidate among the competitors, the free directions and the polynomial. Says why
+  /// the claim has no meaning: the candidate is no competitor; "" when all is well.
   /// @throws OutsideTheory when constraints are not linear or the functional not quadratic
   std::string set_up();
 

@@ -55,9 +55,8 @@ void add_edge(const EdgePolynomial& edge, Frame& frame, Budget& budget) {
   const Polynomial across = substituted(factor, there, budget);
   if (!missing.is_zero() && !across.is_zero()) {
     if (const std::optional<Polynomial> ratio = quotient(missing, across, budget)) {
-      const Polynomial power_of_offset =
-          scaled(power(offset, static_cast<unsigned>(edge.order), budget),
-                 1 / factorial(edge.order));
+      const Polynomial power_of_offset = scaled(
+          power(offset, static_cast<unsigned>(edge.order), budget), 1 / factorial(edge.order));
       factor = product(product(factor, power_of_offset, budget), *ratio, budget);
       frame.base = sum(frame.base, factor, budget);
     }

@@ -66,8 +66,7 @@ bool Hypotheses::define_edge(const Polynomial& equation) {
       return other != v && o.kind == Atom::Kind::jet && o.symbol->ordinal == atom.symbol->ordinal &&
              o.component == atom.component;
     });
-    const bool later =
-        !best || workspace_.atoms[*best].symbol->ordinal < atom.symbol->ordinal;
+    const bool later = !best || workspace_.atoms[*best].symbol->ordinal < atom.symbol->ordinal;
     if (!alone || !later) continue;
     best = v;
     edge.definition.value = scaled(parts[0], Rational{-1} / parts[1].constant());

@@ -20,8 +20,9 @@ class Integration {
     if (ranges.empty() || integrand.is_zero()) return integrand;
     for (const auto& [factor, exponent] : integrand.denominator())
       if (depends(factor, ranges, w_.atoms))
-        throw OutsideTheory{"the integral of a quotient whose divisor depends on a variable of the "
-                            "integral is not worked out in this version"};
+        throw OutsideTheory{
+            "the integral of a quotient whose divisor depends on a variable of the "
+            "integral is not worked out in this version"};
     // What does not depend on the variables goes outside.
     std::map<Monomial, std::vector<Polynomial::Term>> parts;
     std::map<Variable, bool> is_inside;
@@ -187,8 +188,8 @@ class Integration {
     return Polynomial::from_terms({{monomial, 1}});
   }
 
-  // Variables are renamed, and put into the order that makes the least atom, so that equal integrals
-  // are one atom.
+  // Variables are renamed, and put into the order that makes the least atom, so that equal
+  // integrals are one atom.
   Fraction opaque(const Monomial& monomial, const IntegrationRanges& ranges) {
     std::vector<std::size_t> order(ranges.size());
     std::iota(order.begin(), order.end(), 0);
@@ -200,8 +201,8 @@ class Integration {
       for (std::size_t k = 0; k < order.size(); ++k) {
         const IntegrationRange& range = ranges[order[k]];
         if (difference(range.upper, range.lower, w_.budget).is_zero()) return {};
-        const Atom running{Atom::Kind::running, nullptr, static_cast<int>(k), {},
-                           {range.lower, range.upper}};
+        const Atom running{
+            Atom::Kind::running, nullptr, static_cast<int>(k), {}, {range.lower, range.upper}};
         atom.arguments.emplace_back(Polynomial::variable(w_.atoms.variable(running)));
         images.emplace(range.variable, atom.arguments.back());
       }

@@ -19,8 +19,7 @@ using IntegrationRanges = std::vector<IntegrationRange>;
 /// polynomials by antiderivatives, derivatives of unknown functions by the fundamental theorem,
 /// products of two of them by parts. What is left are atoms, one for each integrand.
 /// @throws OutsideTheory when a divisor or a root depends on a variable of the integral.
-Fraction integral(const Fraction& integrand, const IntegrationRanges& ranges,
-                  Workspace& workspace);
+Fraction integral(const Fraction& integrand, const IntegrationRanges& ranges, Workspace& workspace);
 
 /// The variables of an atom that is an integral, and their ranges.
 IntegrationRanges ranges_of(const Atom& integral, const Atoms& atoms);

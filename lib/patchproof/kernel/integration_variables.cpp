@@ -33,8 +33,9 @@ bool variable_depends(Variable v, Variable on, const Atoms& atoms) {
 
 void require_plain(const Fraction& fraction, const Atoms& atoms) {
   if (!fraction.is_polynomial())
-    throw OutsideTheory{"the integral of a quotient whose divisor depends on a variable of the "
-                        "integral is not worked out in this version"};
+    throw OutsideTheory{
+        "the integral of a quotient whose divisor depends on a variable of the "
+        "integral is not worked out in this version"};
   for (const Variable v : variables(fraction)) {
     const Atom& atom = atoms[v];
     if (atom.kind == Atom::Kind::root)
@@ -54,12 +55,14 @@ void require_plain(const Fraction& fraction, const Atoms& atoms) {
 std::optional<SignFacts::Interval> interval_of(const IntegrationRange& range) {
   for (const Fraction& end : {range.lower, range.upper})
     if (!end.is_polynomial() || !end.numerator().is_constant()) return std::nullopt;
-  SignFacts::Interval result{range.lower.numerator().constant(), range.upper.numerator().constant()};
+  SignFacts::Interval result{range.lower.numerator().constant(),
+                             range.upper.numerator().constant()};
   if (result.high < result.low) std::swap(result.low, result.high);
   return result;
 }
 
-// Where a polynomial in the one variable of an integral certainly vanishes; "" when it is not clear.
+// Where a polynomial in the one variable of an integral certainly vanishes; "" when it is not
+// clear.
 std::string place_of_zero(const Polynomial& p, const IntegrationRanges& ranges, Workspace& w) {
   for (const IntegrationRange& range : ranges) {
     const auto interval = interval_of(range);
@@ -113,10 +116,9 @@ Conditions conditions_outside(const Conditions& conditions, const IntegrationRan
     if (not_zero ? facts.never_zero(p, w.budget) : facts.never_negative(p, w.budget)) continue;
     const std::string place = not_zero ? place_of_zero(p, ranges, w) : "";
     if (!place.empty()) throw NoValue{"the integrand has no value " + place, span};
-    throw OutsideTheory{"the integral has a value only where " +
-                        to_text(Fraction{p}, w.atoms, w.budget, 200) +
-                        (not_zero ? " != 0" : " >= 0") +
-                        " for all values of its variables, which was not shown"};
+    throw OutsideTheory{
+        "the integral has a value only where " + to_text(Fraction{p}, w.atoms, w.budget, 200) +
+        (not_zero ? " != 0" : " >= 0") + " for all values of its variables, which was not shown"};
   }
   return result;
 }

@@ -40,9 +40,10 @@ Term integral_of(const BuiltinCall& call) {
     const Term& lower = children[children.size() - 2];
     const Term& upper = children.back();
     if (lower.is_number() && upper.is_number() && lower.number() >= upper.number())
-      throw Fault{binder->range.span, "the empty range [" + to_text(lower.number()) + ", " +
-                                          to_text(upper.number()) + "]",
-                  range_help};
+      throw Fault{
+          binder->range.span,
+          "the empty range [" + to_text(lower.number()) + ", " + to_text(upper.number()) + "]",
+          range_help};
     formals.push_back(
         call.elaborator.workshop().symbol(name.text, Symbol::Role::bound, Type::scalar()));
     inner.declare(name.text, symbol_term(formals.back(), name.span));
@@ -56,8 +57,8 @@ Term integral_of(const BuiltinCall& call) {
   const Term given = call.elaborator.expression(*call.expression.arguments[0].value, inner);
   const Term integrand = decayed(call.construct().value(inner, given));
   if (integrand.type().is_matrix())
-    throw Fault{integrand.span(), "scalars and points are integrated, not a " +
-                                      to_text(integrand.type())};
+    throw Fault{integrand.span(),
+                "scalars and points are integrated, not a " + to_text(integrand.type())};
   if (const SymbolPointer other = namesake(integrand, formals))
     throw Fault{integrand.span(),
                 "this integrand contains the parameter '" + other->name +

@@ -39,8 +39,8 @@ MinimumClaim CaseElaborator::minimum(const syntax::Minimum& minimum, const Scope
   result.unknowns = control_points_of(competitor, name);
   Term candidate = elaborator_.expression(*minimum.candidate, scope);
   if (contains(candidate, result.unknowns))
-    throw Fault{minimum.candidate->span, "the candidate contains control points of the competitor '" +
-                                             name.text + "'"};
+    throw Fault{minimum.candidate->span,
+                "the candidate contains control points of the competitor '" + name.text + "'"};
   if (competitor.type().is_function() && !candidate.type().is_function()) {
     Formals formals;
     for (const std::string& parameter : competitor.type().parameters) {

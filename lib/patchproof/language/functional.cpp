@@ -77,8 +77,7 @@ std::vector<bool> functions_among(const std::vector<syntax::Name>& formals,
 std::vector<syntax::Name> integration_variables(const Expression& expression) {
   std::vector<syntax::Name> result;
   each_part(expression, [&](const Expression& part) {
-    const bool is_integral = part.kind == Kind::call &&
-                             part.operands.front()->kind == Kind::name &&
+    const bool is_integral = part.kind == Kind::call && part.operands.front()->kind == Kind::name &&
                              part.operands.front()->text == "integral";
     if (!is_integral || !result.empty()) return;
     for (const syntax::Argument& argument : part.arguments)
@@ -107,8 +106,8 @@ Term Elaborator::functional_call(const Functional& functional, const syntax::Exp
       given = decayed(construct_.value(scope, given));
     } else if (!variables.empty() && !given.type().is_matrix()) {
       syntax::Formal formal{functional.formals[k], {}};
-      formal.type.kind = variables.size() == 1 ? syntax::FormalType::Kind::curve
-                                               : syntax::FormalType::Kind::patch;
+      formal.type.kind =
+          variables.size() == 1 ? syntax::FormalType::Kind::curve : syntax::FormalType::Kind::patch;
       formal.type.parameters = variables;
       given = as_function(formal, given, scope);
     }
@@ -120,9 +119,10 @@ Term Elaborator::functional_call(const Functional& functional, const syntax::Exp
     return construct_.definition(name, decayed(value), std::move(arguments), call.span);
   } catch (const Fault& fault) {
     const bool nested = fault.diagnostic.message.compare(0, 4, "in '") == 0;
-    throw Fault{call.span,
-                nested ? fault.diagnostic.message : "in '" + name + "': " + fault.diagnostic.message,
-                fault.diagnostic.help};
+    throw Fault{
+        call.span,
+        nested ? fault.diagnostic.message : "in '" + name + "': " + fault.diagnostic.message,
+        fault.diagnostic.help};
   }
 }
 

@@ -10,6 +10,7 @@
 #include <array>
 
 #include <patchproof/language/grammar.hpp>
+#include <patchproof/language/keywords.hpp>
 
 namespace patchproof::grammar {
 namespace {

@@ -19,7 +19,8 @@ ex integral(Ring& ring, const ex& integrand, unsigned variable, const ex& lower,
     }
     const auto next = static_cast<unsigned long>(exponent) + 1;
     const ex ends = ring.sum({ring.power(upper, next), -ring.power(lower, next)});
-    parts.push_back(ring.product(coefficient, ring.product(ends, GiNaC::numeric{1, static_cast<long>(next)})));
+    parts.push_back(
+        ring.product(coefficient, ring.product(ends, GiNaC::numeric{1, static_cast<long>(next)})));
   }
   return ring.sum(parts);
 }

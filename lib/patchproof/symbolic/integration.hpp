@@ -6,8 +6,8 @@
 
 namespace patchproof::symbolic {
 
-/// The integral of a polynomial in the atom `variable`, a letter or placeholder, which the bounds do
-/// not contain.
+/// The integral of a polynomial in the atom `variable`, a letter or placeholder, which the bounds
+/// do not contain.
 /// @throws OverBudget
 /// @throws std::domain_error when the variable occurs in other atoms or in a denominator.
 GiNaC::ex integral(Ring& ring, const GiNaC::ex& integrand, unsigned variable,
