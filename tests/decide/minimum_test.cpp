@@ -65,7 +65,7 @@ TEST_CASE("what is not least is refuted by a better competitor", "[minimum]") {
     CHECK(decision.witness.left + " vs " + decision.witness.right == sides);
   };
   check(bar + "refute m: (1-t)^2*a + t^2*b minimizes L(p) over p where p(0) == a, p(1) == b\n",
-        "a = 1, b = 0, q[0] = 1, q[1] = 1/2, q[2] = 0", "4/3 vs 1");
+        "a = 0, b = 1, q[0] = 0, q[1] = 1/2, q[2] = 1", "4/3 vs 1");
   // Largest, not least.
   const std::string concave = bar + "let N(q) = -integral(q'(t)^2, t in [0, 1])\n";
   check(concave + "refute m: (1-t)*a + t*b minimizes N(p) over p where p(0) == a, p(1) == b\n",
@@ -109,6 +109,14 @@ TEST_CASE("functionals that are not quadratic are not decided", "[minimum][rejec
   CHECK(
       verdicts(bar + "scalar k\nlet Q(q) = k^2*q(0)^2\nprove m: 0 minimizes Q(p) over p\n") ==
       "m UNKNOWN (the Hessian of the functional contains symbols, and its sign was not settled)\n");
+}
+
+TEST_CASE("a Hessian with symbols is refuted by numbers only", "[minimum]") {
+  const std::string given = "param t in [0, 1]\nscalar k\nscalar q[0..2]\ncurve p(t) = bezier(q)\n";
+  CHECK(verdict(given, "0 minimizes k*p(0)^2 over p") == "REFUTED");
+  CHECK(verdict(given + "assume positive: k > 0\n", "0 minimizes k*p(0)^2 over p") == "UNKNOWN");
+  CHECK(verdict(given, "0 minimizes integral(p(t)^2, t in [0, 1]) over p where k*p(0) == 0") ==
+        "PROVED IF");
 }
 
 TEST_CASE("assumptions about what is given are used for minima", "[minimum]") {

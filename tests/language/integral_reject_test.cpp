@@ -1,13 +1,13 @@
 #include <catch2/catch.hpp>
 
-#include "language_test.hpp"
+#include "language/reading.hpp"
 
 namespace patchproof {
 
 namespace {
 
 std::string messages_of_case(const std::string& statements) {
-  return messages_of("case a\n" + statements + "end\n");
+  return type_messages(statements);
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ TEST_CASE("a value in the parameter of the case is no function to be integrated"
   CHECK(messages_of_case("  show integral([1, 2 ; 3, 4], u in [0, 1])\n") ==
         R"~(bad.proof:2:17: error: scalars and points are integrated, not a 2 x 2 matrix of scalars
      2 |   show integral([1, 2 ; 3, 4], u in [0, 1])
-       |                 ^^^^^^^^^^^^^^
+       |                 ^^^^^^^^^^^^^
 )~");
 }
 

@@ -54,6 +54,8 @@ class Minimum {
       if (!linear[f].is_zero()) return not_stationary(f);
     const auto hessian = search_.hessian();
     if (!hessian) {
+      result = symbolic_hessian();
+      if (result.verdict == Verdict::refuted) return result;
       result.reason =
           "the Hessian of the functional contains symbols, and its sign was not settled";
       return result;
@@ -121,13 +123,19 @@ class Minimum {
     add(search_.conditions(), target);
     target.not_zero.push_back(search_.linear_part()[f]);
     Decision result = refutation(target);
-    if (result.verdict == Verdict::refuted) {
-      result.residual =
-          to_text(Fraction{search_.linear_part()[f]}, workspace_.atoms, workspace_.budget);
-      result.details = {
-          {"first variation", "not zero when " + search_.direction_name(f) + " changes"}};
-    }
+    if (result.verdict == Verdict::refuted)
+      result.details = {{"first variation", to_text(Fraction{search_.linear_part()[f]},
+                                                    workspace_.atoms, workspace_.budget, 300) +
+                                                " for each unit of " + search_.direction_name(f)}};
     return result;
+  }
+
+  // A Hessian with symbols is looked at only for numbers that make it negative.
+  Decision symbolic_hessian() {
+    WitnessTarget target;
+    add(search_.conditions(), target);
+    target.not_zero.push_back(search_.symbolic_entry());
+    return refutation(target);
   }
 
   Decision not_convex(const QuadraticForm& form) {

@@ -6,7 +6,6 @@
 #include <patchproof/kernel/identity.hpp>
 #include <patchproof/kernel/polynomial_term.hpp>
 #include <patchproof/kernel/readable.hpp>
-#include <patchproof/kernel/unknowns.hpp>
 #include <patchproof/term/plain_text.hpp>
 #include <patchproof/term/replacement.hpp>
 
@@ -44,21 +43,31 @@ std::string MinimumSearch::set_up() {
 
 namespace {
 
-void require_numeric_pivots(const UnknownSystem& system) {
-  for (const Polynomial& pivot : system.solution.pivots)
-    if (!pivot.is_constant())
-      throw OutsideTheory{"the competitors depend on symbols by more than their constant terms"};
+// "p == r on boundary", as it is written.
+std::string written_text(const Statement& constraint) {
+  const Span& span = constraint.span;
+  if (!span.source) return to_text(constraint.left, 60) + " == " + to_text(constraint.right, 60);
+  std::string text =
+      span.source->text.substr(span.begin, std::min<std::size_t>(span.end - span.begin, 120));
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
 }
 
 }  // namespace
+
+// Where nothing vanishes that was divided by, the solution is the only one.
+void MinimumSearch::add_conditions(const UnknownSystem& system) {
+  conditions_.insert(system.conditions.begin(), system.conditions.end());
+  for (const Polynomial& pivot : system.solution.pivots)
+    keep_open({{Condition::Kind::not_zero, pivot}}, hypotheses_, workspace_, {}, conditions_);
+}
 
 std::string MinimumSearch::place_candidate() {
   const UnknownSystem system =
       solved_system({goal_.membership}, variables_, evaluator_, hypotheses_, workspace_);
   if (!system.solution.contradictions.empty())
     return "the candidate is not among the competitors: no control points of theirs give it";
-  require_numeric_pivots(system);
-  conditions_.insert(system.conditions.begin(), system.conditions.end());
+  add_conditions(system);
   // Control points that do not matter for the function are taken to be zero.
   candidate_ = system.solution.constant_part;
   for (const std::size_t k : system.solution.free) candidate_[k] = Fraction{};
@@ -82,16 +91,14 @@ Fraction MinimumSearch::difference_of(const Statement& statement) {
 std::string MinimumSearch::violated_constraint() {
   for (const Statement& constraint : goal_.constraints)
     if (!difference_of(constraint).is_zero())
-      return "the candidate does not satisfy the constraint " + to_text(constraint.left, 60) +
-             " == " + to_text(constraint.right, 60);
+      return "the candidate does not satisfy the constraint " + written_text(constraint);
   return "";
 }
 
 void MinimumSearch::find_directions() {
   const UnknownSystem system =
       solved_system(goal_.constraints, variables_, evaluator_, hypotheses_, workspace_);
-  require_numeric_pivots(system);
-  conditions_.insert(system.conditions.begin(), system.conditions.end());
+  add_conditions(system);
   if (!system.solution.contradictions.empty())
     throw OutsideTheory{"the constraints can be satisfied only for special values of the symbols"};
   free_ = system.solution.free;
@@ -183,6 +190,13 @@ std::optional<std::vector<std::vector<Rational>>> MinimumSearch::hessian() const
     }
   }
   return result;
+}
+
+Polynomial MinimumSearch::symbolic_entry() const {
+  for (const auto& row : second_)
+    for (const Polynomial& entry : row)
+      if (!entry.is_constant()) return entry;
+  return {};
 }
 
 std::string MinimumSearch::direction_name(std::size_t f) const {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <patchproof/algebra/quadratic_form.hpp>
-#include <patchproof/kernel/hypotheses.hpp>
+#include <patchproof/kernel/unknowns.hpp>
 
 namespace patchproof {
 
@@ -24,6 +24,8 @@ class MinimumSearch {
   const std::vector<Polynomial>& linear_part() const { return linear_; }
   /// The second derivatives; empty when they are not all numbers.
   std::optional<std::vector<std::vector<Rational>>> hessian() const;
+  /// An entry of the Hessian that is not a number; zero when there is none.
+  Polynomial symbolic_entry() const;
   /// What the values and constraints need to have a meaning.
   const Conditions& conditions() const { return conditions_; }
   Hypotheses& hypotheses() { return hypotheses_; }
@@ -42,6 +44,7 @@ class MinimumSearch {
   std::string violated_constraint();
   void find_directions();
   void expand();
+  void add_conditions(const UnknownSystem& system);
   Fraction difference_of(const Statement& statement);
   /// An unknown at the candidate plus the directions times y.
   Fraction moved(std::size_t unknown);

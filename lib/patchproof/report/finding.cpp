@@ -99,8 +99,9 @@ class Notes {
         witness.component.empty() ? "" : " in component " + witness.component;
     note("left - right" + component, decision_.residual);
     note("witness", in_words(witness));
-    note("left side", witness.left);
-    note("right side", witness.right);
+    const bool minimum = std::holds_alternative<MinimumClaim>(claim_.kind);
+    note(minimum ? "value at the candidate" : "left side", witness.left);
+    note(minimum ? "value at the competitor" : "right side", witness.right);
     derived();
     details();
     if (claim_.expectation == Expectation::open)
