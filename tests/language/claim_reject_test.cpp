@@ -168,22 +168,6 @@ end
 
 TEST_CASE("what a later version brings is named where it stands", "[language][reject]") {
   CHECK(messages_of(R"~(case a
-  prove x: r minimizes E(p) over p
-end
-)~") ==
-        R"~(bad.proof:2:14: error: 'minimizes' is not available in this version
-     2 |   prove x: r minimizes E(p) over p
-       |              ^^^^^^^^^
-)~");
-  CHECK(messages_of(R"~(case a
-  let E = integral(u, u in [0,1])
-end
-)~") ==
-        R"~(bad.proof:2:11: error: 'integral' is not available in this version
-     2 |   let E = integral(u, u in [0,1])
-       |           ^^^^^^^^
-)~");
-  CHECK(messages_of(R"~(case a
   prove x: G^1 joint of P at v = 1 and R at v = 0
 end
 )~") ==

@@ -33,6 +33,11 @@ struct DeriveClaim {
   std::vector<SymbolPointer> leaves;
 };
 
+/// A candidate that is said to have the least value of a functional among its competitors.
+struct MinimumClaim {
+  MinimumGoal goal;
+};
+
 /// One thing to be decided. Instances of a family share label and span and differ in `instance`.
 struct Claim {
   std::string label;
@@ -48,7 +53,7 @@ struct Claim {
   std::vector<std::string> uses;
   /// Erratum: the note of its author.
   std::string note;
-  std::variant<IdentityClaim, DeriveClaim> kind;
+  std::variant<IdentityClaim, DeriveClaim, MinimumClaim> kind;
 };
 
 /// A term whose normal form is printed, without any verdict.

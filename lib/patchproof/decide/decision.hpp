@@ -64,6 +64,8 @@ struct Decision {
   std::vector<KnownValue> solution;
   /// Derive: unknowns that stay arbitrary.
   std::vector<std::string> free;
+  /// Minimum: what the answer rests on, such as "Hessian" -> "4 x 4, positive definite".
+  std::vector<std::pair<std::string, std::string>> details;
 };
 
 /// Which engines to ask.

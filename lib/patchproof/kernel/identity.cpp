@@ -1,6 +1,7 @@
 #include <patchproof/kernel/identity.hpp>
 
 #include <patchproof/kernel/enclose.hpp>
+#include <patchproof/kernel/integral_signs.hpp>
 #include <patchproof/kernel/readable.hpp>
 
 namespace patchproof {
@@ -98,8 +99,9 @@ std::optional<bool> number_relation(Relation relation, const Fraction& d, Worksp
   }
 }
 
-bool order_holds(Relation relation, const Fraction& d, const SignFacts& facts, Workspace& w) {
+bool order_holds(Relation relation, const Fraction& d, const SignFacts& known, Workspace& w) {
   const Polynomial p = sign_polynomial(d, w);
+  const SignFacts facts = with_signs_of_integrals(known, p, w);
   const Polynomial minus = scaled(p, -1);
   switch (relation) {
     case Relation::less: return facts.always_positive(minus, w.budget);

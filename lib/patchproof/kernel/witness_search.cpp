@@ -35,6 +35,7 @@ class Search {
         target_{target},
         hypotheses_{hypotheses},
         workspace_{workspace},
+        attempt_{attempt},
         candidates_{candidates(attempt)},
         known_{static_cast<Variable>(workspace.atoms.size())} {}
 
@@ -45,7 +46,7 @@ class Search {
     for (const auto& i : target_.inequalities) add_inequality(i);
     for (const auto& i : hypotheses_.facts().inequalities()) add_inequality(i);
     if (!assign()) return std::nullopt;
-    return witness_values(goal_, assigned_, known_, hypotheses_, workspace_);
+    return witness_values(goal_, assigned_, known_, hypotheses_, workspace_, attempt_);
   }
 
  private:
@@ -159,6 +160,7 @@ class Search {
   const WitnessTarget& target_;
   Hypotheses& hypotheses_;
   Workspace& workspace_;
+  int attempt_;
   std::vector<Rational> candidates_;
   /// Variables from here on are made while searching.
   Variable known_;

@@ -203,6 +203,7 @@ const std::vector<Builtin>& builtins() {
       {"sum", "sum(b[i]*x^i, i in 0..3)", 2, many, [](const Call& c) { return running(c, true); }},
       {"product", "product(t - a[i], i in 0..3)", 2, many,
        [](const Call& c) { return running(c, false); }},
+      {"integral", "integral(f(u), u in [0, 1])", 2, many, integral_of},
       {"net", "net(c[i,0], i in 0..3, j in 0..3)", 2, 3, net},
       {"rows", "rows(M)", 1, 1, [](const Call& c) { return extent(c, true); }},
       {"columns", "columns(M)", 1, 1, [](const Call& c) { return extent(c, false); }},

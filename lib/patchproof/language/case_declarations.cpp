@@ -3,6 +3,7 @@
 #include <patchproof/language/builtin_splines.hpp>
 #include <patchproof/language/builtins.hpp>
 #include <patchproof/language/case_elaborator.hpp>
+#include <patchproof/language/functional.hpp>
 
 namespace patchproof {
 
@@ -180,6 +181,17 @@ void CaseElaborator::declare_matrix(const Declarator& declarator) {
 
 void CaseElaborator::declare_let(const Declarator& declarator) {
   require_new(declarator.name);
+  std::vector<bool> functions;
+  if (!declarator.parameters.empty())
+    functions = functions_among(declarator.parameters, *declarator.value, scope_);
+  if (std::find(functions.begin(), functions.end(), true) != functions.end()) {
+    require_different(declarator.parameters);
+    scope_.declare(declarator.name.text,
+                   Entity{Entity::Kind::functional, {}, nullptr, declarator.name.span,
+                          std::make_shared<const Functional>(Functional{
+                              declarator.parameters, declarator.value, functions, scope_})});
+    return;
+  }
   declare_name(declarator.name, declarator.parameters.empty()
                                     ? elaborator_.expression(*declarator.value, scope_)
                                     : defined_function(declarator));

@@ -105,6 +105,12 @@ class Dumper {
   Json json(const Argument& argument) const {
     if (argument.binder) return json(*argument.binder);
     if (argument.interval) return json(*argument.interval);
+    if (argument.range) {
+      Json result = node("variable", argument.range->name.span);
+      result["name"] = argument.range->name.text;
+      result["range"] = json(argument.range->range);
+      return result;
+    }
     return json(argument.value);
   }
 
@@ -151,11 +157,21 @@ class Dumper {
     return result;
   }
 
+  Json json(const Minimum& minimum) const {
+    Json result = node("minimum", minimum.span);
+    add(result, "candidate", minimum.candidate);
+    add(result, "functional", minimum.functional);
+    result["competitor"] = minimum.competitor.text;
+    add(result, "where", minimum.constraints);
+    return result;
+  }
+
   Json json(const Proposition& proposition) const {
     Json result = node("proposition", proposition.span);
     add(result, "comparisons", proposition.comparisons);
     add(result, "joint", proposition.joint);
     add(result, "further_joints", proposition.further_joints);
+    add(result, "minimum", proposition.minimum);
     return result;
   }
 
@@ -170,13 +186,17 @@ class Dumper {
     return result;
   }
 
+  Json json(const Range& range) const {
+    Json result = node("range", range.span);
+    add(result, "lower", range.lower);
+    add(result, "upper", range.upper);
+    return result;
+  }
+
   Json json(const ParameterGroup& group) const {
     Json result = node("parameters", group.names.front().span);
     add(result, "names", group.names);
-    Json range = node("range", group.range.span);
-    add(range, "lower", group.range.lower);
-    add(range, "upper", group.range.upper);
-    result["range"] = std::move(range);
+    result["range"] = json(group.range);
     return result;
   }
 

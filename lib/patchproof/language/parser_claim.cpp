@@ -11,6 +11,7 @@
 #include <array>
 
 #include <patchproof/language/grammar.hpp>
+#include <patchproof/language/keywords.hpp>
 
 namespace patchproof::grammar {
 namespace {
@@ -56,7 +57,8 @@ Comparison comparison(TokenStream& stream, std::string_view subject) {
                 "'=' defines a name; " + std::string(subject) + " compares with '=='");
   }
   if (stream.is("minimizes")) {
-    stream.fail(stream.span(stream.token()), "'minimizes' is not available in this version");
+    stream.fail(stream.span(stream.token()), "'minimizes' makes a claim of its own",
+                "as in 'prove least: r minimizes E(p) over p where p == r on boundary'");
   }
   if (result.operators.empty()) stream.fail_expected("a comparison ('==', '!=', '<', ...)");
   if (stream.accept("on")) {
@@ -109,7 +111,43 @@ Proposition comparisons(TokenStream& stream, std::string_view subject) {
   return result;
 }
 
+/// Whether `minimizes` stands in this statement, so that it claims a minimum.
+bool at_minimum(const TokenStream& stream) {
+  for (std::size_t k = stream.index(); k < stream.tokens().size(); ++k) {
+    const Token& token = stream.tokens()[k];
+    if (token.kind == Token::Kind::name && stream.text(token) == "minimizes") return true;
+    const bool next_statement = k > stream.index() && token.first_on_line &&
+                                token.kind == Token::Kind::name &&
+                                begins_statement(stream.text(token));
+    if (next_statement || stream.text(token) == "==") return false;
+  }
+  return false;
+}
+
+syntax::Minimum minimum(TokenStream& stream) {
+  const std::size_t begin = stream.token().begin;
+  syntax::Minimum result;
+  result.candidate = expression(stream);
+  stream.expect("minimizes");
+  result.functional = expression(stream);
+  stream.expect("over");
+  result.competitor = stream.name("the competitor");
+  if (stream.accept("where")) {
+    do {
+      result.constraints.push_back(comparison(stream, "a constraint"));
+    } while (stream.accept(","));
+  }
+  result.span = stream.span_from(begin);
+  return result;
+}
+
 Proposition proposition(TokenStream& stream) {
+  if (at_minimum(stream)) {
+    Proposition result;
+    result.minimum = minimum(stream);
+    result.span = result.minimum->span;
+    return result;
+  }
   if (!at_joint(stream)) return comparisons(stream, "a claim");
   Proposition result;
   result.joint = joint(stream);

@@ -32,14 +32,29 @@ struct Binder {
   Interval interval;
 };
 
+/// `[a, b]`
+struct Range {
+  ExpressionPointer lower;
+  ExpressionPointer upper;
+  Span span;
+};
+
+/// `u in [0, 1]`
+struct RangeBinder {
+  Name name;
+  Range range;
+};
+
 /// One argument of a call or one index of an index expression.
 struct Argument {
-  /// The value; empty when `binder` or `interval` is set.
+  /// The value; empty when one of the others is set.
   ExpressionPointer value;
   /// `i in 0..3`, as in sum(..., i in 0..3).
   std::optional<Binder> binder;
   /// `0..3` as in M[0..3, 3..6].
   std::optional<Interval> interval;
+  /// `u in [0, 1]`, as in integral(..., u in [0, 1]).
+  std::optional<RangeBinder> range;
 };
 
 /// One expression. Sums, products and comparisons are flat lists, so that a line of a million
@@ -100,24 +115,27 @@ struct Joint {
   Span span;
 };
 
-/// What a claim states: comparisons joined by commas, or a joint.
+/// `r minimizes E(p) over p where p == r on boundary`
+struct Minimum {
+  ExpressionPointer candidate;
+  ExpressionPointer functional;
+  Name competitor;
+  std::vector<Comparison> constraints;
+  Span span;
+};
+
+/// What a claim states: comparisons joined by commas, a joint, or a minimum.
 struct Proposition {
   std::vector<Comparison> comparisons;
   std::optional<Joint> joint;
   std::vector<Joint> further_joints;  ///< derive ... from several joints: those after the first
+  std::optional<Minimum> minimum;
   Span span;
 };
 
 /// `C^2`
 struct Smoothness {
   int order = 0;
-  Span span;
-};
-
-/// `[a, b]`
-struct Range {
-  ExpressionPointer lower;
-  ExpressionPointer upper;
   Span span;
 };
 

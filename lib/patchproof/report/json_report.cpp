@@ -37,6 +37,7 @@ Json to_json(const Case& of, const ClaimResult& result) {
   object["assumptions_used"] = decision.assumptions_used;
   object["derived"] = named_values(decision.derived);
   object["free"] = decision.free;
+  object["details"] = named_values(decision.details);
   object["note"] = text_or_null(claim.note);
   return object;
 }

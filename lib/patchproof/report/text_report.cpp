@@ -102,6 +102,8 @@ class TextReport {
     text_ += used + "\n";
     for (const auto& [name, value] : decision.derived)
       text_ += "      " + name + " = " + value + "\n";
+    for (const auto& [name, value] : decision.details)
+      text_ += "      " + name + ": " + value + "\n";
     if (decision.verdict != Verdict::refuted) return;
     text_ += "      false for " + in_words(decision.witness) + ": left side " +
              decision.witness.left + ", right side " + decision.witness.right + "\n";
