@@ -184,14 +184,6 @@ end
        |           ^^^^^^^^
 )~");
   CHECK(messages_of(R"~(case a
-  prove x: G^1 joint of P at v = 1 and R at v = 0
-end
-)~") ==
-        R"~(bad.proof:2:12: error: 'G^k joint' is not available in this version
-     2 |   prove x: G^1 joint of P at v = 1 and R at v = 0
-       |            ^
-)~");
-  CHECK(messages_of(R"~(case a
   prove x: E(d) == 0 for d : patch of degree (3,3)
 end
 )~") ==
@@ -210,6 +202,22 @@ end
 }
 
 TEST_CASE("a joint names two edges", "[language][reject]") {
+  CHECK(messages_of(R"~(case a
+  prove x: C^1 joint of P at v = 1 and R at v = 0 with k
+end
+)~") ==
+        R"~(bad.proof:2:51: error: only a G^k joint has connecting functions
+     2 |   prove x: C^1 joint of P at v = 1 and R at v = 0 with k
+       |                                                   ^^^^
+)~");
+  CHECK(messages_of(R"~(case a
+  show joint of P at v = 1
+end
+)~") ==
+        R"~(bad.proof:3:1: error: expected 'and', found 'end'
+     3 | end
+       | ^^^
+)~");
   CHECK(messages_of(R"~(case a
   prove x: C^1 joint of P at v = 1
 end

@@ -147,6 +147,25 @@ bad.proof:17:30: error: 'tt' is not a parameter of 'p', a curve(t)
 )~");
 }
 
+TEST_CASE("a G^k joint has the order, the values and the functions it needs",
+          "[language][reject]") {
+  CHECK(type_messages(R"~(  param t in [0, 1]
+  curve p(t), q(t)
+  curve flat(t) = (t, 0)
+  patch r(u, v)
+  scalar k
+  prove a: G^3 joint of flat at t = 1 and flat at t = 0
+  prove b: G^1 joint of p at t = 1 and q at t = 0
+  prove c: G^1 joint of p at t = 1 and q at t = 0 with k, k
+  prove d: G^2 joint of r at v = 1 and r at v = 0 with k, k
+  prove e: G^1 joint of p at t = 1 and q at t = 0 with p
+  prove f: G^0 joint of p at t = 1 and q at t = 0 with k
+  prove g: G^1 joint of flat at t = 1 and q at t = 0
+  derive k: k from G^1 joint of p at t = 1 and q at t = 0 with k
+)~") ==
+        R"~()~");
+}
+
 TEST_CASE("'using' names a derivation above", "[language][reject]") {
   CHECK(type_messages(R"~(  scalar x
   derive found: x from x == 1

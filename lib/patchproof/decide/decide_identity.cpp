@@ -2,6 +2,7 @@
 
 #include <patchproof/decide/decide.hpp>
 #include <patchproof/decide/guard.hpp>
+#include <patchproof/decide/sign_words.hpp>
 #include <patchproof/decide/witness_words.hpp>
 #include <patchproof/kernel/identity.hpp>
 #include <patchproof/kernel/readable.hpp>
@@ -46,6 +47,7 @@ class Identity {
     result.evidence = Evidence::kernel;
     result.conditions = in_words(found.conditions, workspace_);
     result.assumptions_used = used(found);
+    result.subdivision = found.tree;
     return result;
   }
 
@@ -114,6 +116,7 @@ class Identity {
       target.not_zero.push_back(found.residual.numerator());
     else
       violate(goal_.statements[found.statement].relation, found.residual.numerator(), target);
+    target.preferred = found.sign.point;
     std::string why;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       const std::optional<Witness> witness =
@@ -150,14 +153,16 @@ class Identity {
     result.witness = {in_words(witness), check.left, check.right,
                       component_name(type, check.component)};
     result.residual = to_text(found.residual, workspace_.atoms, workspace_.budget);
+    if (check.statement == found.statement && found.outcome == Finding::Outcome::open)
+      result.reason = nowhere_worse(goal_.statements[found.statement].relation, found.sign,
+                                    workspace_);
     return result;
   }
 
   std::string undecided(const Finding& found, const std::string& why) {
     if (!hypotheses_.left_out().empty()) return hypotheses_.left_out().front();
     if (found.outcome == Finding::Outcome::open)
-      return "this inequality is neither shown by the methods of this version nor false at any of "
-             "the points tried";
+      return undecided_sign(goal_.statements[found.statement].relation, found.sign, workspace_);
     const std::string normal =
         to_text(found.residual, workspace_.atoms, workspace_.budget, 200);
     return "the difference " + normal + " was neither shown to be zero nor to differ from it" +

@@ -33,12 +33,12 @@ void keep_open(const Conditions& conditions, Hypotheses& hypotheses, Workspace& 
     if (condition.kind == Condition::Kind::not_zero) {
       const SignFacts& facts = hypotheses.facts();
       const std::optional<bool> known = holds_for_numbers(condition.kind, p, workspace);
+      if (known == true || (!known && facts.never_zero(p, workspace.budget))) continue;
       const bool always_zero = known == false ||
                                (facts.never_negative(p, workspace.budget) &&
                                 facts.never_negative(scaled(p, -1), workspace.budget));
       if (always_zero) throw NoValue{"division by zero", span};
-      if (known != true && !facts.never_zero(p, workspace.budget))
-        result.insert({condition.kind, primitive(p).polynomial});
+      result.insert({condition.kind, primitive(p).polynomial});
     } else {
       if (!reduced.is_polynomial()) throw OutsideTheory{"the sign of a quotient under a square root"};
       const std::optional<bool> known = holds_for_numbers(condition.kind, p, workspace);
@@ -51,11 +51,16 @@ void keep_open(const Conditions& conditions, Hypotheses& hypotheses, Workspace& 
 
 namespace {
 
-// numerator * denominator has the sign of the fraction, where the fraction has a value.
-Polynomial sign_polynomial(const Fraction& fraction, Workspace& workspace) {
-  return normal_form(product(fraction.numerator(), expanded(fraction.denominator(), workspace.budget),
-                             workspace.budget),
-                     workspace);
+// A polynomial with the sign of the fraction, where the fraction has a value: the numerator times the
+// factors of the denominator whose sign is not known. The denominator is not zero there.
+Polynomial sign_polynomial(const Fraction& fraction, const SignFacts& facts, Workspace& workspace) {
+  Polynomial result = fraction.numerator();
+  for (const auto& [factor, exponent] : fraction.denominator()) {
+    if (exponent % 2 == 0 || facts.never_negative(factor, workspace.budget)) continue;
+    const bool negative = facts.never_negative(scaled(factor, -1), workspace.budget);
+    result = negative ? scaled(result, -1) : product(result, factor, workspace.budget);
+  }
+  return normal_form(result, workspace);
 }
 
 // Zero by itself, or a multiple of an assumed equation that could not be solved.
@@ -85,14 +90,15 @@ std::optional<bool> number_relation(Relation relation, const Fraction& d, Worksp
   }
 }
 
-bool order_holds(Relation relation, const Fraction& d, const SignFacts& facts, Workspace& w) {
-  const Polynomial p = sign_polynomial(d, w);
-  const Polynomial minus = scaled(p, -1);
+// What the facts say of an inequality left < right, where `d` is left - right.
+SignAnswer order(Relation relation, const Fraction& d, const SignFacts& facts, Workspace& w) {
+  const Polynomial p = sign_polynomial(d, facts, w);
   switch (relation) {
-    case Relation::less: return facts.always_positive(minus, w.budget);
-    case Relation::less_equal: return facts.never_negative(minus, w.budget);
-    case Relation::greater: return facts.always_positive(p, w.budget);
-    default: return facts.never_negative(p, w.budget);
+    case Relation::not_equal: return facts.apart_from_zero(d.numerator(), w.budget);
+    case Relation::less: return facts.sign(scaled(p, -1), true, w.budget);
+    case Relation::less_equal: return facts.sign(scaled(p, -1), false, w.budget);
+    case Relation::greater: return facts.sign(p, true, w.budget);
+    default: return facts.sign(p, false, w.budget);
   }
 }
 
@@ -110,21 +116,35 @@ Finding finding(const Goal& goal, Evaluator& evaluator, Hypotheses& hypotheses,
     keep_open(left.conditions, hypotheses, workspace, statement.span, result.conditions);
     keep_open(right.conditions, hypotheses, workspace, statement.span, result.conditions);
     bool some_never_equal = false;
+    Polynomial squares;  // of the differences: zero only where both sides are equal
     for (std::size_t c = 0; c < left.components.size() && !decided; ++c) {
       const Fraction plain = difference(left.components[c], right.components[c], workspace.budget);
       const Fraction d =
           normal_form(hypotheses.reduced(normal_form(plain, workspace)), workspace);
       bool good = vanishes(d, hypotheses, workspace);
       const std::optional<bool> settled = number_relation(statement.relation, d, workspace);
+      SignAnswer answer;
       if (statement.relation == Relation::not_equal) {
-        some_never_equal =
-            some_never_equal ||
-            settled.value_or(hypotheses.facts().never_zero(d.numerator(), workspace.budget));
-        good = some_never_equal || c + 1 < left.components.size();
+        if (!some_never_equal && !settled) {
+          answer = order(statement.relation, d, hypotheses.facts(), workspace);
+          if (answer.shown()) result.tree.add(answer.tree);
+        }
+        some_never_equal = some_never_equal || settled.value_or(answer.shown());
+        const bool last = c + 1 == left.components.size();
+        squares = sum(squares, product(d.numerator(), d.numerator(), workspace.budget),
+                      workspace.budget);
+        if (last && c > 0 && !some_never_equal) {
+          answer = hypotheses.facts().sign(normal_form(squares, workspace), true, workspace.budget);
+          some_never_equal = answer.shown();
+          if (some_never_equal) result.tree.add(answer.tree);
+        }
+        good = some_never_equal || !last;
       } else if (settled) {
         good = *settled;
       } else if (statement.relation != Relation::equal) {
-        good = order_holds(statement.relation, d, hypotheses.facts(), workspace);
+        answer = order(statement.relation, d, hypotheses.facts(), workspace);
+        good = answer.shown();
+        if (good) result.tree.add(answer.tree);
       }
       if (good) continue;
       const bool equation = statement.relation == Relation::equal;
@@ -132,6 +152,7 @@ Finding finding(const Goal& goal, Evaluator& evaluator, Hypotheses& hypotheses,
         result.statement = k;
         result.component = c;
         result.residual = d;
+        result.sign = answer;
         result.outcome = equation ? Finding::Outcome::fails : Finding::Outcome::open;
       }
       decided = equation;

@@ -22,6 +22,10 @@ struct Finding {
   Fraction residual;
   /// Conditions that the facts do not imply.
   Conditions conditions;
+  /// open: what was found out about the sign that the inequality asks for.
+  SignAnswer sign;
+  /// The boxes that the inequalities needed.
+  Subdivision tree;
 };
 
 /// Judges the statements of the goal.

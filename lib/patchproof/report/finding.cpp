@@ -100,6 +100,7 @@ class Notes {
     note("witness", in_words(witness));
     note("left side", witness.left);
     note("right side", witness.right);
+    note("reason", printable(decision_.reason));
     derived();
     if (claim_.expectation == Expectation::open)
       note("help",
