@@ -142,8 +142,8 @@ TEST_CASE("the polynomial of Motzkin is not negative, though no sum of squares",
   const Polynomial x = signs.square(signs.u);
   const Polynomial y = signs.square(signs.v);
   const Polynomial xy = signs.times(x, y);
-  const Polynomial p = signs.plus(
-      signs.minus(signs.times(xy, signs.plus(x, y)), scaled(xy, 3)), signs.number(1));
+  const Polynomial p =
+      signs.plus(signs.minus(signs.times(xy, signs.plus(x, y)), scaled(xy, 3)), signs.number(1));
   CHECK(signs.sign(p).answer == Answer::shown);
   CHECK(signs.sign(p, true).answer == Answer::fails);
   CHECK(signs.sign(signs.minus(p, signs.number(1, 1'000'000))).answer == Answer::fails);

@@ -90,12 +90,11 @@ TEST_CASE("show says how smooth a joint is, and what the next order lacks") {
   show joint of p at t = 1 and apart at t = 0
   show joint of p at t = 1 and back at t = 0
   show joint of p at t = 1 and unknown at t = 0
-)~") ==
-        "C^infinity: one polynomial, G^2\n"
+)~") == "C^infinity: one polynomial, G^2\n"
         "C^0, G^2; not C^1: left - right = -1 in .x\n"
         "C^1, G^1; not C^2: left - right = -4 in .y; not G^2: left - right = 100 in .z\n"
         "not C^0: left - right = -1 in .x\n"
-        "C^0, G^0; not C^1: left - right = 2 in .x; not G^1: -5 is not positive\n"
+        "C^0, G^0; not C^1: left - right = 2 in .x; not G^1: no alpha > 0, as -5 is not positive\n"
         "C^2, G^2; C^3 is not decided: a derivative of order 3 of 'unknown', which is only assumed "
         "C^2\n");
   CHECK(shown(R"~(
@@ -109,8 +108,7 @@ TEST_CASE("show says how smooth a joint is, and what the next order lacks") {
   show joint of P at v = 1 and R at v = 0
   show joint of any at v = 1 and any at v = 1
   show joint of wave at v = 1 and next at v = 0
-)~") ==
-        "C^2, G^2; not C^3: left - right = 6*u in .z\n"
+)~") == "C^2, G^2; not C^3: left - right = 6*u in .z\n"
         "C^0; not C^1: left - right = 2*((1-u)*b[0] + u*b[1]) - 2*((1-u)*a[0] + u*a[1])\n"
         "C^12 at least, G^2\n");
 }

@@ -73,8 +73,7 @@ TEST_CASE("a polynomial that is slightly negative in a small region is refuted t
   const Decision decision = decision_of(square, p + " >= -1/1000000");
   INFO(decision.reason);
   CHECK((decision.verdict == Verdict::refuted || decision.verdict == Verdict::proved));
-  const Decision narrow =
-      decision_of(square, "(u - 1/3)^2 + (v - 1/3)^2 >= 1/1000000000000");
+  const Decision narrow = decision_of(square, "(u - 1/3)^2 + (v - 1/3)^2 >= 1/1000000000000");
   CHECK(narrow.verdict == Verdict::refuted);
   CHECK(witness_of(narrow) == "u = 1/3, v = 1/3");
 }
@@ -109,14 +108,16 @@ quotient PROVED uses order
 }
 
 TEST_CASE("a scalar between numbers is a parameter as good as any") {
-  CHECK(verdicts(R"~(
+  CHECK(
+      verdicts(R"~(
   scalar a, b
   assume range: 0 <= a, a <= 1, 0 < b, b < 1
   prove hermite: a*(1-a)^2 <= 4/27
   prove inside: b*(1-b) > 0
   refute end: a*(1-a) > 0
   prove both: a*(1-a)^2*b*(1-b)^2 <= 16/729
-)~") == "hermite PROVED uses range\ninside PROVED uses range\nend REFUTED\nboth PROVED uses range\n");
+)~") ==
+      "hermite PROVED uses range\ninside PROVED uses range\nend REFUTED\nboth PROVED uses range\n");
 }
 
 TEST_CASE("squares are not negative, nor are vectors different that meet") {
@@ -138,8 +139,9 @@ TEST_CASE("what no fraction refutes and no boxes decide is unknown, and says whe
         "limit of subdivision: the sign of left - right is not decided near u = 29/41");
   const Decision change = decision_of("param u in [0, 1]", "2*u^2 - 1 != 0");
   CHECK(change.verdict == Verdict::unknown);
-  CHECK(change.reason ==
-        "left - right changes its sign, so it is zero somewhere, but not at any of the points tried");
+  CHECK(
+      change.reason ==
+      "left - right changes its sign, so it is zero somewhere, but not at any of the points tried");
   CHECK(verdict("param u in [0, 1]", "(2*u^2 - 1)^2 >= 0") == "PROVED");
 }
 

@@ -12,12 +12,6 @@ std::string number(std::mt19937& random, int least, int most) {
   return std::to_string(least + static_cast<int>(random() % static_cast<unsigned>(span)));
 }
 
-// A point of space with small whole coordinates.
-std::string random_point(std::mt19937& random) {
-  return "(" + number(random, -3, 3) + ", " + number(random, -3, 3) + ", " +
-         number(random, -3, 3) + ")";
-}
-
 }  // namespace
 
 TEST_CASE("a surface in other parameters goes on with G^2, however it is run through", "[law]") {
@@ -58,7 +52,10 @@ TEST_CASE("a change of one point of the second row breaks the tangent plane", "[
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column)
         p += "(" + std::to_string(3 * row) + ", " + std::to_string(3 * column) + ", " +
-             number(random, -2, 2) + ")" + (column < 2 ? ", " : row < 2 ? " ; " : "]");
+             number(random, -2, 2) + ")" +
+             (column < 2 ? ", "
+              : row < 2  ? " ; "
+                         : "]");
     const std::string text = "param u, v in [0, 1]\nmatrix p = " + p + R"~(
 matrix r = [p[0,2], 2*p[0,2] - p[0,1], (0, 13, 1) ;
             p[1,2], 2*p[1,2] - p[1,1], (3, 13, 2) ;

@@ -214,9 +214,9 @@ end
   show joint of P at v = 1
 end
 )~") ==
-        R"~(bad.proof:3:1: error: expected 'and', found 'end'
-     3 | end
-       | ^^^
+        R"~(bad.proof:2:27: error: expected 'and'; the statement ends here
+     2 |   show joint of P at v = 1
+       |                           ^
 )~");
   CHECK(messages_of(R"~(case a
   prove x: C^1 joint of P at v = 1

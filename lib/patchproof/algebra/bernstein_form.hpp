@@ -17,8 +17,8 @@ struct Interval {
 /// For each variable the interval it runs over.
 using Box = std::map<Variable, Interval>;
 
-/// A polynomial over a box by its Bernstein coefficients: a tensor with one axis for each variable of
-/// the box, in their order.
+/// A polynomial over a box by its Bernstein coefficients: a tensor with one axis for each variable
+/// of the box, in their order.
 ///
 /// The polynomial lies between the least and the greatest coefficient, and the coefficients at the
 /// corners of the tensor are its values at the corners of the box.

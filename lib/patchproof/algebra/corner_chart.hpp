@@ -7,8 +7,8 @@
 
 namespace patchproof {
 
-/// The part of a box in which one coordinate, counted from a corner, is the largest, blown up to the
-/// unit cube: x_k = s, and x_j = s * s_j for the others.
+/// The part of a box in which one coordinate, counted from a corner, is the largest, blown up to
+/// the unit cube: x_k = s, and x_j = s * s_j for the others.
 ///
 /// In these coordinates a polynomial that vanishes at the corner is a power of s times another one,
 /// and only the other one's sign matters where s > 0.

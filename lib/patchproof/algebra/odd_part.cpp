@@ -13,8 +13,8 @@ Polynomial remainder(const Polynomial& a, const Polynomial& b, Variable v, Budge
     const std::vector<Polynomial> parts = coefficients(rest, v);
     const Rational factor = parts.back().constant() / leading;
     const unsigned shift = rest.degree(v) - degree;
-    const Polynomial power = Polynomial::from_terms(
-        {{shift == 0 ? Monomial{} : Monomial{v, shift}, factor}});
+    const Polynomial power =
+        Polynomial::from_terms({{shift == 0 ? Monomial{} : Monomial{v, shift}, factor}});
     rest = difference(rest, product(power, b, budget), budget);
   }
   return rest;
@@ -49,11 +49,15 @@ Polynomial odd_part(const Polynomial& polynomial, Variable variable, Budget& bud
     const Polynomial factor = common_divisor(rest, gap, variable, budget);
     if (multiplicity % 2 == 1) result = product(result, factor, budget);
     rest = exact_quotient(rest, factor, budget);
-    if (!gap.is_zero()) other = exact_quotient(gap, factor, budget);
-    else other = Polynomial{};
+    if (!gap.is_zero())
+      other = exact_quotient(gap, factor, budget);
+    else
+      other = Polynomial{};
   }
   // Beyond all zeros both have the sign of their leading coefficients.
-  const auto leading = [&](const Polynomial& p) { return coefficients(p, variable).back().constant(); };
+  const auto leading = [&](const Polynomial& p) {
+    return coefficients(p, variable).back().constant();
+  };
   return (leading(polynomial) > 0) == (leading(result) > 0) ? result : scaled(result, -1);
 }
 

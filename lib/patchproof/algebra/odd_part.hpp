@@ -9,7 +9,8 @@ namespace patchproof {
 ///
 /// (x - 1)^2 * (x^2 - 2)^3 becomes x^2 - 2, up to a positive factor.
 /// @throws OverBudget; the numbers grow fast with the degree.
-/// Source: von zur Gathen & Gerhard, Modern Computer Algebra, 14.6 (Yun's square-free factorisation).
+/// Source: von zur Gathen & Gerhard, Modern Computer Algebra, 14.6 (Yun's square-free
+/// factorisation).
 Polynomial odd_part(const Polynomial& polynomial, Variable variable, Budget& budget);
 
 }  // namespace patchproof

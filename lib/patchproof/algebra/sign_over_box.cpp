@@ -6,6 +6,7 @@
 #include <patchproof/algebra/corner_chart.hpp>
 #include <patchproof/algebra/odd_part.hpp>
 #include <patchproof/algebra/simplest_between.hpp>
+#include <patchproof/algebra/squares.hpp>
 
 namespace patchproof {
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr unsigned deepest = 60;
 constexpr unsigned most_charts = 3;
+constexpr std::size_t most_coefficients_kept = 1'000'000;
 
 // One box of the tree.
 struct Part {
@@ -174,8 +176,7 @@ class Search {
     for (std::size_t k = 0; k < variables_.size(); ++k) {
       const CornerChart chart{part.form, corner, k, budget_};
       Box unit;
-      for (std::size_t j = 0; j < variables_.size(); ++j)
-        unit[static_cast<Variable>(j)] = {0, 1};
+      for (std::size_t j = 0; j < variables_.size(); ++j) unit[static_cast<Variable>(j)] = {0, 1};
       const std::size_t left = boxes_ - std::min(boxes_, result_.tree.boxes + waiting_.size());
       const BoxSign inner =
           Search{chart.polynomial(), unit, false, left, charts_ - 1, budget_}.run();
@@ -199,17 +200,20 @@ class Search {
   bool open_ = false;
 };
 
-
 Rational value_at(const Polynomial& polynomial, Variable variable, const Rational& at,
                   Budget& budget) {
   return substituted(polynomial, {{variable, Polynomial{at}}}, budget).constant();
 }
 
 // In one variable zeros of even order at irrational places can be taken away: without them the
-// sign is the same everywhere else, and no zero is left that subdivision does not come to an end at.
+// sign is the same everywhere else, and no zero is left that subdivision does not come to an end
+// at.
 BoxSign sign_without_even_zeros(const Polynomial& polynomial, const Box& box, Budget& budget) {
   const auto& [variable, side] = *box.begin();
   const Polynomial odd = odd_part(polynomial, variable, budget);
+  // Checked, not trusted: what was taken away is a square.
+  const std::optional<Polynomial> rest = quotient(polynomial, odd, budget);
+  if (!rest || !square_root(*rest, budget)) return {};
   if (odd.is_constant() && odd.constant() > 0)
     return {BoxSign::Answer::shown, {1, 0}, {}, odd.constant()};
   BoxSign result = Search{odd, box, false, most_boxes, most_charts, budget}.run();
@@ -254,8 +258,11 @@ BoxSign sign_over_box(const Polynomial& polynomial, const Box& box, bool strict,
     const bool wrong = strict ? result.value <= 0 : result.value < 0;
     result.answer = wrong ? BoxSign::Answer::fails : BoxSign::Answer::shown;
   } else {
+    // Large tensors get fewer boxes, as all that wait are kept.
+    const std::size_t fitting = most_coefficients_kept / bernstein_size(moving, needed);
     const bool try_odd_part = needed.size() == 1 && !strict;
-    const std::size_t boxes = try_odd_part ? 64 : most_boxes;
+    const std::size_t boxes =
+        try_odd_part ? 64 : std::clamp<std::size_t>(fitting, 16, most_boxes);
     result = Search{moving, needed, strict, boxes, most_charts, budget}.run();
     if (result.answer == BoxSign::Answer::open && try_odd_part)
       result = sign_without_even_zeros(moving, needed, budget);

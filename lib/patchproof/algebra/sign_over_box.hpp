@@ -38,11 +38,11 @@ inline constexpr std::size_t most_box_variables = 6;
 
 /// Decides the sign of a polynomial over a box by exact subdivision.
 ///
-/// Only Bernstein coefficients and values make the answer. Where to cut is a heuristic: at the middle,
-/// or where a zero was found, so that the zero becomes a corner. At a corner with a zero the box is
-/// blown up (x = s, y = s*t and the same with x and y exchanged, powers of s taken out), as there no
-/// subdivision ends. A polynomial in one variable is always decided, but for a zero at an irrational
-/// place when the question is strict.
+/// Only Bernstein coefficients and values make the answer. Where to cut is a heuristic: at the
+/// middle, or where a zero was found, so that the zero becomes a corner. At a corner with a zero
+/// the box is blown up (x = s, y = s*t, and with x and y exchanged; powers of s taken out), as
+/// there no subdivision ends. A polynomial in one variable is decided, but for a zero at an
+/// irrational place when the question is strict.
 /// @throws std::out_of_range when a variable is not in the box; OverBudget
 /// Source: Farin, Curves and Surfaces for CAGD, ch. 4 (de Casteljau) and ch. 5 (convex hull).
 BoxSign sign_over_box(const Polynomial& polynomial, const Box& box, bool strict, Budget& budget);

@@ -61,10 +61,10 @@ class Joint {
     result.push_back({r(1), Relation::equal, terms_.times({f[0]}, p(1, 0)), terms_.span});
     result.push_back(terms_.positive(f[0]));
     if (f.size() == 1) return;
-    result.push_back({r(2), Relation::equal,
-                      terms_.sum({terms_.times({f[0], f[0]}, p(2, 0)),
-                                  terms_.times({f[1]}, p(1, 0))}),
-                      terms_.span});
+    result.push_back(
+        {r(2), Relation::equal,
+         terms_.sum({terms_.times({f[0], f[0]}, p(2, 0)), terms_.times({f[1]}, p(1, 0))}),
+         terms_.span});
   }
   void patch(const std::vector<Term>& f, std::vector<Statement>& result) const {
     const Term &alpha = f[0], &gamma = f[1];
@@ -86,15 +86,15 @@ class Joint {
     result.push_back(terms_.vanishes(terms_.parallel(p(1, 0), r(1))));
     result.push_back(terms_.positive(alpha));
     if (order == 1) return;
-    const Term rest = terms_.minus(terms_.times({length, length}, r(2)),
-                                   terms_.times({alpha, alpha}, p(2, 0)));
+    const Term rest =
+        terms_.minus(terms_.times({length, length}, r(2)), terms_.times({alpha, alpha}, p(2, 0)));
     result.push_back(terms_.vanishes(terms_.parallel(p(1, 0), rest)));
   }
   void patch(int order, std::vector<Statement>& result) const {
     if (first_.function.type().inner->dimension == 2) {
       // In the plane every vector is a combination: only regularity and the side are left.
-      result.push_back(terms_.positive(terms_.times({terms_.parallel(p(0, 1), p(1, 0))},
-                                                    terms_.parallel(p(0, 1), r(1)))));
+      result.push_back(terms_.positive(
+          terms_.times({terms_.parallel(p(0, 1), p(1, 0))}, terms_.parallel(p(0, 1), r(1)))));
       return;
     }
     const Term normal = terms_.cross(p(0, 1), p(1, 0));

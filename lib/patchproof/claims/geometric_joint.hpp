@@ -11,16 +11,16 @@ namespace patchproof {
 /// The highest order of geometric continuity that is written out.
 inline constexpr int highest_geometric_order = 2;
 
-/// How many connecting functions a G^order joint has: alpha, gamma, beta, delta of patches, alpha and
-/// beta of curves; those of the first derivatives come first.
+/// How many connecting functions a G^order joint has: alpha, gamma, beta, delta of patches, alpha
+/// and beta of curves; those of the first derivatives come first.
 std::size_t connecting_function_count(const JointEdge& edge, int order);
 
-/// Why no G^order joint of these functions can be stated without its connecting functions; empty when
-/// it can: for curves and patches in R^2 and R^3.
+/// Why no G^order joint of these functions can be stated without its connecting functions; empty
+/// when it can: for curves and patches in R^2 and R^3.
 std::optional<std::string> why_not_geometric(const JointEdge& edge);
 
-/// What a G^order joint, order 0 to 2, means for P up to the edge and R beyond it; v and t go across
-/// the edge, both onward from P to R, and u along it.
+/// What a G^order joint, order 0 to 2, means for P up to the edge and R beyond it; v and t go
+/// across the edge, both onward from P to R, and u along it.
 ///
 /// The positions agree, and there are functions of u, the connecting functions, with
 ///   R_t  == alpha*P_v + gamma*P_u and alpha > 0                                       (order 1)

@@ -53,7 +53,7 @@ class Asking {
         decision.witness.component.empty() ? "" : " in " + decision.witness.component;
     const bool equation = statements[decision.statement].relation == Relation::equal;
     if (equation) return "not " + order + ": left - right = " + decision.residual + where;
-    return "not " + order + ": " + decision.residual + " is not positive";
+    return "not " + order + ": no alpha > 0, as " + decision.residual + " is not positive";
   }
 
   void parametric() {
@@ -63,9 +63,8 @@ class Asking {
         result_.one_polynomial = true;
         return;
       }
-      std::vector<Statement> all =
-          joint_equations(question_.first, question_.second, order, question_.along,
-                          question_.span);
+      std::vector<Statement> all = joint_equations(question_.first, question_.second, order,
+                                                   question_.along, question_.span);
       const std::vector<Statement> last{all.back()};
       const Decision decision = answer(last);
       if (!holds(decision)) {

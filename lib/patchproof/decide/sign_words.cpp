@@ -16,7 +16,8 @@ std::string difference_in(Relation relation) {
 std::string in_words(const std::map<Variable, Rational>& point, const Workspace& workspace) {
   std::string text;
   for (const auto& [variable, value] : point)
-    text += (text.empty() ? "" : ", ") + to_text(variable, workspace.atoms) + " = " + to_text(value);
+    text +=
+        (text.empty() ? "" : ", ") + to_text(variable, workspace.atoms) + " = " + to_text(value);
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <patchproof/algebra/squares.hpp>
 #include <patchproof/kernel/sign_facts.hpp>
 
 namespace patchproof {
@@ -12,36 +13,6 @@ constexpr unsigned most_degree = 60;
 constexpr std::size_t most_coefficients = 20'000;
 constexpr unsigned most_symbolic_cuts = 6;
 
-// q with q^2 = polynomial / (a positive number); empty when there is none.
-std::optional<Polynomial> square_root(const Polynomial& polynomial, Budget& budget) {
-  if (polynomial.is_zero() || polynomial.terms().front().coefficient < 0) return std::nullopt;
-  const Rational scale = polynomial.terms().front().coefficient;
-  Polynomial rest = scaled(polynomial, 1 / scale);
-  Polynomial root;
-  // The leading term of the rest is twice the leading term of the root times the next one.
-  while (!rest.is_zero()) {
-    const auto& leading = rest.terms().front();
-    Polynomial::Term next{Monomial{}, 1};
-    if (root.is_zero()) {
-      for (const auto& p : leading.monomial.powers()) {
-        if (p.exponent % 2 == 1) return std::nullopt;
-        next.monomial = next.monomial * Monomial{p.variable, p.exponent / 2};
-      }
-    } else {
-      const auto& first = root.terms().front();
-      const std::optional<Monomial> factor = quotient(leading.monomial, first.monomial);
-      if (!factor || !(*factor < root.terms().back().monomial)) return std::nullopt;
-      next = {*factor, leading.coefficient / (2 * first.coefficient)};
-    }
-    const Polynomial step = Polynomial::from_terms({next});
-    const Polynomial twice = sum(scaled(root, 2), step, budget);
-    rest = difference(rest, product(twice, step, budget), budget);
-    root = sum(root, step, budget);
-    if (root.terms().size() > polynomial.terms().size()) return std::nullopt;
-  }
-  return root;
-}
-
 // The Bernstein coefficients, polynomials in the other variables, in the order of BernsteinForm:
 // b_i = sum_{k<=i} C(i,k)/C(n,k) a_k along each axis. Source: Farin, ch. 5.
 std::vector<Polynomial> symbolic_coefficients(const Polynomial& polynomial, const Box& box,
@@ -49,11 +20,11 @@ std::vector<Polynomial> symbolic_coefficients(const Polynomial& polynomial, cons
   std::map<Variable, Polynomial> to_unit;
   for (const Variable v : polynomial.variables()) {
     const auto side = box.find(v);
-    to_unit.emplace(v, side == box.end()
-                           ? Polynomial::variable(v)
-                           : Polynomial::from_terms(
-                                 {{Monomial{}, side->second.low},
-                                  {Monomial{v}, side->second.high - side->second.low}}));
+    to_unit.emplace(
+        v, side == box.end()
+               ? Polynomial::variable(v)
+               : Polynomial::from_terms({{Monomial{}, side->second.low},
+                                         {Monomial{v}, side->second.high - side->second.low}}));
   }
   std::vector<Polynomial> parts{substituted(polynomial, to_unit, budget)};
   for (const auto& [v, side] : box) {
@@ -176,14 +147,14 @@ Polynomial SignFacts::without_known_factors(const Polynomial& polynomial, bool s
     const bool is_bound = factor.variables().size() == 1 && !box_of(factor).empty();
     if (inequality.strict || (!strict && !is_bound)) take_out(factor);
   }
-  for (const Polynomial& factor : not_zero_)
-    take_out(product(factor, factor, budget));
+  for (const Polynomial& factor : not_zero_) take_out(product(factor, factor, budget));
   if (strict) return rest;
   for (const Variable v : rest.variables()) {
     unsigned least = rest.degree(v);
     for (const auto& term : rest.terms()) least = std::min(least, term.monomial.exponent(v));
-    if (least >= 2) rest = quotient(rest, Polynomial::from_terms({{Monomial{v, least / 2 * 2}, 1}}),
-                                    budget).value_or(rest);
+    if (least >= 2)
+      rest = quotient(rest, Polynomial::from_terms({{Monomial{v, least / 2 * 2}, 1}}), budget)
+                 .value_or(rest);
   }
   return rest;
 }
@@ -194,11 +165,12 @@ SignAnswer SignFacts::sign(const Polynomial& polynomial, bool strict, Budget& bu
     return (strict ? p.constant() > 0 : p.constant() >= 0) ? Kind::shown : Kind::unknown;
   };
   if (polynomial.is_constant()) return {constant_sign(polynomial), {}, {}};
-  const bool linear = impossible(scaled(polynomial, -1),
-                                 strict ? LinearConstraint::Kind::at_least_zero
-                                        : LinearConstraint::Kind::above_zero,
-                                 budget);
-  if (linear || is_sum_of_signed(polynomial, strict, budget)) return {Kind::shown, {}, {}};
+  const bool linear = impossible(
+      scaled(polynomial, -1),
+      strict ? LinearConstraint::Kind::at_least_zero : LinearConstraint::Kind::above_zero, budget);
+  if (linear || is_sum_of_signed(polynomial, strict, budget) ||
+      is_definite(polynomial, strict, budget))
+    return {Kind::shown, {}, {}};
   if (const auto root = square_root(polynomial, budget))
     if (!strict || never_zero(*root, budget)) return {Kind::shown, {}, {}};
   const Polynomial rest = without_known_factors(polynomial, strict, budget);
@@ -247,7 +219,8 @@ SignAnswer SignFacts::sign_with_symbols(const Polynomial& polynomial, const Box&
     return {};
   }
   SignAnswer answer;
-  if (symbolic_sign(polynomial, box, 0, strict, answer, budget)) answer.kind = SignAnswer::Kind::shown;
+  if (symbolic_sign(polynomial, box, 0, strict, answer, budget))
+    answer.kind = SignAnswer::Kind::shown;
   return answer;
 }
 
@@ -288,8 +261,7 @@ bool SignFacts::symbolic_sign(const Polynomial& polynomial, const Box& box, unsi
 
 SignAnswer SignFacts::apart_from_zero(const Polynomial& polynomial, Budget& budget) const {
   using Kind = SignAnswer::Kind;
-  if (polynomial.is_constant())
-    return {polynomial.is_zero() ? Kind::unknown : Kind::shown, {}, {}};
+  if (polynomial.is_constant()) return {polynomial.is_zero() ? Kind::unknown : Kind::shown, {}, {}};
   Polynomial rest = primitive(polynomial).polynomial;
   for (const Polynomial& factor : not_zero_) {
     if (factor.is_constant()) continue;

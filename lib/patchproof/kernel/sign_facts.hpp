@@ -48,9 +48,9 @@ class SignFacts {
 
   /// Whether the polynomial is nowhere negative, or, strictly, positive everywhere.
   ///
-  /// Methods: constants; sums of products of what is known not to be negative; squares;
-  /// Fourier-Motzkin for linear polynomials; factors of known sign; subdivision over the box of the
-  /// variables with intervals, where the coefficients may hold other variables.
+  /// Methods: constants; sums of products of what is known not to be negative; squares; definite
+  /// polynomials of degree two; Fourier-Motzkin for linear ones; factors of known sign; subdivision
+  /// over the box of the variables with intervals, where the coefficients may hold other variables.
   SignAnswer sign(const Polynomial& polynomial, bool strict, Budget& budget) const;
 
   /// Whether the polynomial vanishes nowhere: it has one strict sign.

@@ -58,8 +58,8 @@ JointEdge CaseElaborator::edge_of(const syntax::Edge& edge, const Scope& scope) 
                     "', a " + to_text(type),
                 did_you_mean(edge.parameter.text, names)};
   result.crossing = static_cast<std::size_t>(place - names.begin());
-  result.value = elaborator_.construct().scalar(
-      scope, elaborator_.expression(*edge.value, scope), "the place of an edge");
+  result.value = elaborator_.construct().scalar(scope, elaborator_.expression(*edge.value, scope),
+                                                "the place of an edge");
   const auto [lower, upper] = range_of(edge.parameter.text);
   if (!same_end(lower, result.value) && !same_end(upper, result.value))
     throw Fault{edge.value->span,
@@ -74,8 +74,8 @@ JointEdge CaseElaborator::edge_of(const syntax::Edge& edge, const Scope& scope) 
 // The two sides, and terms for the parameters along the edge: those of the case, where it has them.
 JointQuestion CaseElaborator::joint_of(const syntax::Joint& joint, const Scope& scope,
                                        const Goal& given) {
-  JointQuestion result{edge_of(joint.first, scope), edge_of(joint.second, scope), {}, given,
-                       joint.span};
+  JointQuestion result{
+      edge_of(joint.first, scope), edge_of(joint.second, scope), {}, given, joint.span};
   const Type& a = result.first.function.type();
   const Type& b = result.second.function.type();
   if (a.parameters.size() != b.parameters.size())
@@ -108,9 +108,10 @@ std::vector<Term> CaseElaborator::connecting_functions(const syntax::Joint& join
   if (joint.functions.empty()) {
     const auto why = why_not_geometric(question.first);
     if (joint.order > 0 && why)
-      throw Fault{joint.span, *why,
-                  "give the functions: 'with alpha, gamma'; or declare the dimension: 'point V[0..3] "
-                  "in R^3'"};
+      throw Fault{
+          joint.span, *why,
+          "give the functions: 'with alpha, gamma'; or declare the dimension: 'point V[0..3] "
+          "in R^3'"};
     return result;
   }
   const bool curve = question.first.function.type().parameters.size() == 1;
@@ -119,14 +120,15 @@ std::vector<Term> CaseElaborator::connecting_functions(const syntax::Joint& join
     throw Fault{joint.functions.front()->span,
                 "a G^" + std::to_string(joint.order) + " joint of " +
                     (curve ? "curves" : "patches") + " has " + std::to_string(needed) +
-                    " connecting functions, not " + std::to_string(joint.functions.size()),
+                    (needed == 1 ? " connecting function, not " : " connecting functions, not ") +
+                    std::to_string(joint.functions.size()),
                 joint.order == 0 ? "leave 'with' out"
                 : curve          ? "alpha of order 1, then beta of order 2"
                                  : "alpha, gamma of order 1, then beta, delta of order 2"};
   for (const syntax::ExpressionPointer& e : joint.functions) {
     Term function = elaborator_.expression(*e, scope);
-    const bool applies = function.type().is_function() &&
-                         function.type().parameters.size() == question.along.size();
+    const bool applies =
+        function.type().is_function() && function.type().parameters.size() == question.along.size();
     if (applies) function = elaborator_.construct().apply(function, question.along, e->span);
     result.push_back(elaborator_.construct().scalar(scope, function, "a connecting function"));
   }
