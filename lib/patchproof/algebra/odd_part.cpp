@@ -24,10 +24,10 @@ Polynomial remainder(const Polynomial& a, const Polynomial& b, Variable v, Budge
 Polynomial common_divisor(Polynomial a, Polynomial b, Variable v, Budget& budget) {
   while (!b.is_zero()) {
     Polynomial rest = remainder(a, b, v, budget);
-    a = scaled(b, 1 / content(b));
+    a = std::move(b);
     b = rest.is_zero() ? rest : scaled(rest, 1 / content(rest));
   }
-  return a;
+  return scaled(a, 1 / content(a));
 }
 
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b, Budget& budget) {

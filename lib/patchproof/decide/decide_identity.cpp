@@ -115,7 +115,7 @@ class Identity {
     if (found.outcome == Finding::Outcome::fails)
       target.not_zero.push_back(found.residual.numerator());
     else
-      violate(goal_.statements[found.statement].relation, found.residual.numerator(), target);
+      violate(found, target);
     target.preferred = found.sign.point;
     std::string why;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
@@ -131,16 +131,14 @@ class Identity {
   }
 
   // What has to be true for an inequality to fail.
-  static void violate(Relation relation, const Polynomial& d, WitnessTarget& target) {
-    switch (relation) {
-      case Relation::less: target.inequalities.push_back({d, false}); break;
-      case Relation::less_equal: target.inequalities.push_back({d, true}); break;
-      case Relation::greater: target.inequalities.push_back({scaled(d, -1), false}); break;
-      case Relation::greater_equal: target.inequalities.push_back({scaled(d, -1), true}); break;
-      default:
-        target.inequalities.push_back({d, false});
-        target.inequalities.push_back({scaled(d, -1), false});
-        break;
+  static void violate(const Finding& found, WitnessTarget& target) {
+    const Polynomial& d = found.residual.numerator();
+    if (found.asked) {
+      target.inequalities.push_back({scaled(found.asked->polynomial, -1), !found.asked->strict});
+    } else if (found.sign.kind != SignAnswer::Kind::zero &&
+               found.sign.kind != SignAnswer::Kind::only_zero) {
+      target.inequalities.push_back({d, false});
+      target.inequalities.push_back({scaled(d, -1), false});
     }
   }
 

@@ -90,16 +90,13 @@ std::optional<bool> number_relation(Relation relation, const Fraction& d, Worksp
   }
 }
 
-// What the facts say of an inequality left < right, where `d` is left - right.
-SignAnswer order(Relation relation, const Fraction& d, const SignFacts& facts, Workspace& w) {
+// The polynomial whose sign an order between left and right asks for; `d` is left - right.
+SignFacts::Inequality asked_by(Relation relation, const Fraction& d, const SignFacts& facts,
+                               Workspace& w) {
   const Polynomial p = sign_polynomial(d, facts, w);
-  switch (relation) {
-    case Relation::not_equal: return facts.apart_from_zero(d.numerator(), w.budget);
-    case Relation::less: return facts.sign(scaled(p, -1), true, w.budget);
-    case Relation::less_equal: return facts.sign(scaled(p, -1), false, w.budget);
-    case Relation::greater: return facts.sign(p, true, w.budget);
-    default: return facts.sign(p, false, w.budget);
-  }
+  const bool smaller = relation == Relation::less || relation == Relation::less_equal;
+  const bool strict = relation == Relation::less || relation == Relation::greater;
+  return {smaller ? scaled(p, -1) : p, strict};
 }
 
 }  // namespace
@@ -123,10 +120,11 @@ Finding finding(const Goal& goal, Evaluator& evaluator, Hypotheses& hypotheses,
           normal_form(hypotheses.reduced(normal_form(plain, workspace)), workspace);
       bool good = vanishes(d, hypotheses, workspace);
       const std::optional<bool> settled = number_relation(statement.relation, d, workspace);
+      std::optional<SignFacts::Inequality> asked;
       SignAnswer answer;
       if (statement.relation == Relation::not_equal) {
         if (!some_never_equal && !settled) {
-          answer = order(statement.relation, d, hypotheses.facts(), workspace);
+          answer = hypotheses.facts().apart_from_zero(d.numerator(), workspace.budget);
           if (answer.shown()) result.tree.add(answer.tree);
         }
         some_never_equal = some_never_equal || settled.value_or(answer.shown());
@@ -139,11 +137,11 @@ Finding finding(const Goal& goal, Evaluator& evaluator, Hypotheses& hypotheses,
           if (some_never_equal) result.tree.add(answer.tree);
         }
         good = some_never_equal || !last;
-      } else if (settled) {
-        good = *settled;
       } else if (statement.relation != Relation::equal) {
-        answer = order(statement.relation, d, hypotheses.facts(), workspace);
-        good = answer.shown();
+        asked = asked_by(statement.relation, d, hypotheses.facts(), workspace);
+        if (!settled)
+          answer = hypotheses.facts().sign(asked->polynomial, asked->strict, workspace.budget);
+        good = settled.value_or(answer.shown());
         if (good) result.tree.add(answer.tree);
       }
       if (good) continue;
@@ -152,6 +150,7 @@ Finding finding(const Goal& goal, Evaluator& evaluator, Hypotheses& hypotheses,
         result.statement = k;
         result.component = c;
         result.residual = d;
+        result.asked = asked;
         result.sign = answer;
         result.outcome = equation ? Finding::Outcome::fails : Finding::Outcome::open;
       }

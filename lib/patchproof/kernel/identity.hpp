@@ -22,7 +22,9 @@ struct Finding {
   Fraction residual;
   /// Conditions that the facts do not imply.
   Conditions conditions;
-  /// open: what was found out about the sign that the inequality asks for.
+  /// open, for an order: the polynomial that has to be positive, or not negative.
+  std::optional<SignFacts::Inequality> asked;
+  /// open: what was found out about its sign.
   SignAnswer sign;
   /// The boxes that the inequalities needed.
   Subdivision tree;
