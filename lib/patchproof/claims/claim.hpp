@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <patchproof/algebra/budget.hpp>
+#include <patchproof/claims/joint.hpp>
 #include <patchproof/decide/decision.hpp>
 #include <patchproof/term/goal.hpp>
 
@@ -56,11 +57,22 @@ struct Claim {
   std::variant<IdentityClaim, DeriveClaim, MinimumClaim> kind;
 };
 
-/// A term whose normal form is printed, without any verdict.
+/// A joint whose smoothness is asked for.
+struct JointQuestion {
+  JointEdge first;
+  JointEdge second;
+  std::vector<Term> along;
+  /// The assumptions and ranges, without statements.
+  Goal given;
+  Span span;
+};
+
+/// A term whose normal form is printed, or a joint that is described, without any verdict.
 struct Shown {
   Span span;
   std::string instance;
   Term term;
+  std::optional<JointQuestion> joint;
 };
 
 /// Where a case comes from.

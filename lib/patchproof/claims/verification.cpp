@@ -155,9 +155,17 @@ CaseResult verified(const Case& given, const VerificationOptions& options) {
     }
     if (wanted) result.claims.push_back(std::move(decided_claim));
   }
-  for (const Shown& shown : given.shown)
-    result.shown.push_back({shown.span, shown.instance, to_text(shown.term),
-                            normal_form_in_words(shown.term, given.limits)});
+  for (const Shown& shown : given.shown) {
+    ShownResult item{shown.span, shown.instance, "", "", std::nullopt};
+    if (shown.joint) {
+      item.joint = joint_report(*shown.joint, given.limits);
+      item.value = in_words(*item.joint);
+    } else {
+      item.term = to_text(shown.term);
+      item.value = normal_form_in_words(shown.term, given.limits);
+    }
+    result.shown.push_back(std::move(item));
+  }
   return result;
 }
 

@@ -121,6 +121,8 @@ class Search {
     if (!v) return true;
     std::vector<Rational> values = candidates_;
     if (const std::optional<Rational> fitting = model_value(*v)) values.push_back(*fitting);
+    if (const auto known = target_.preferred.find(*v); known != target_.preferred.end())
+      values.insert(values.begin(), known->second);
     for (const Rational& value : values) {
       if (++tried_ > 4000) return false;
       workspace_.budget.spend(10);

@@ -276,10 +276,7 @@ void CaseElaborator::statement(const syntax::Statement& statement, Case& result)
       case Kind::derive:
       case Kind::erratum: claim(statement, result); break;
       case Kind::assume: assume(statement, result); break;
-      case Kind::show:
-        result.shown.push_back(
-            {statement.span, instance_, elaborator_.expression(*statement.shown, scope_)});
-        break;
+      case Kind::show: show(statement, result); break;
       default: declare(statement); break;
     }
   } catch (const Fault& fault) {

@@ -82,7 +82,12 @@ class CaseElaborator {
   std::pair<Term, Term> range_of(const std::string& parameter) const;
   void require_equal_ranges(const JointEdge& first, const JointEdge& second,
                             const Span& span) const;
+  JointEdge edge_of(const syntax::Edge& edge, const Scope& scope);
+  JointQuestion joint_of(const syntax::Joint& joint, const Scope& scope, const Goal& given);
+  std::vector<Term> connecting_functions(const syntax::Joint& joint, const JointQuestion& question,
+                                         const Scope& scope);
   void add_joint(const syntax::Joint& joint, const Scope& scope, Goal& goal);
+  void show(const syntax::Statement& statement, Case& result);
   std::vector<SymbolPointer> unknowns_of(const Term& term, const Span& span) const;
   void check_uses(const syntax::Statement& statement, Claim& claim);
 

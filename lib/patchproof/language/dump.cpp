@@ -151,9 +151,11 @@ class Dumper {
 
   Json json(const Joint& joint) const {
     Json result = node("joint", joint.span);
+    if (joint.geometric) result["geometric"] = true;
     result["order"] = joint.order;
     result["first"] = json(joint.first);
     result["second"] = json(joint.second);
+    add(result, "with", joint.functions);
     return result;
   }
 
@@ -255,6 +257,7 @@ class Dumper {
     add(result, "for", statement.clauses.binders);
     add(result, "note", statement.note);
     add(result, "shown", statement.shown);
+    add(result, "shown", statement.shown_joint);
     return result;
   }
 

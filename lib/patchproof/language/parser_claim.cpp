@@ -6,6 +6,7 @@
 //   erratum LABEL printed proposition corrected proposition [ note STRING ] end
 //   assume [ LABEL : ] comparison {, comparison} [ note STRING ]
 //   proposition = "C^k" joint of edge and edge | comparison {, comparison}
+//               | "G^k" joint of edge and edge [ with expressions ]
 //   clause      = using LABEL {, LABEL} | for binder {, binder}
 
 #include <array>
@@ -83,20 +84,26 @@ bool at_joint(const TokenStream& stream) {
   return (stream.is("C") || stream.is("G")) && stream.is("^", 1) && stream.is("joint", 3);
 }
 
-syntax::Joint joint(TokenStream& stream) {
-  const std::size_t begin = stream.token().begin;
-  if (stream.is("G")) {
-    stream.fail(stream.span(stream.token()), "'G^k joint' is not available in this version");
-  }
-  stream.expect("C");
-  stream.expect("^");
-  syntax::Joint result;
-  result.order = stream.whole_number("an order", 0, highest_order);
+void edges(TokenStream& stream, syntax::Joint& joint) {
   stream.expect("joint");
   stream.expect("of");
-  result.first = edge(stream);
+  joint.first = edge(stream);
   stream.expect("and");
-  result.second = edge(stream);
+  joint.second = edge(stream);
+}
+
+syntax::Joint joint(TokenStream& stream) {
+  const std::size_t begin = stream.token().begin;
+  syntax::Joint result;
+  result.geometric = stream.is("G");
+  stream.advance();
+  stream.expect("^");
+  result.order = stream.whole_number("an order", 0, highest_order);
+  edges(stream, result);
+  if (stream.is("with") && !result.geometric) {
+    stream.fail(stream.span(stream.token()), "only a G^k joint has connecting functions");
+  }
+  if (stream.accept("with")) result.functions = expressions(stream);
   result.span = stream.span_from(begin);
   return result;
 }
@@ -237,6 +244,17 @@ void erratum(TokenStream& stream, Statement& statement) {
 }
 
 }  // namespace
+
+void show(TokenStream& stream, Statement& statement) {
+  if (!stream.is("joint") || !stream.is("of", 1)) {
+    statement.shown = expression(stream);
+    return;
+  }
+  const std::size_t begin = stream.token().begin;
+  statement.shown_joint.emplace();
+  edges(stream, *statement.shown_joint);
+  statement.shown_joint->span = stream.span_from(begin);
+}
 
 void assumption(TokenStream& stream, Statement& statement) {
   if (stream.is(Token::Kind::name) && stream.is(":", 1)) statement.label = label(stream);

@@ -107,11 +107,13 @@ struct Edge {
   ExpressionPointer value;
 };
 
-/// `C^2 joint of P at v = 1 and R at v = 0`
+/// `C^2 joint of P at v = 1 and R at v = 0`, `G^1 joint of ... with alpha, gamma`
 struct Joint {
+  bool geometric = false;  ///< G^k, not C^k
   int order = 0;
   Edge first;
   Edge second;
+  std::vector<ExpressionPointer> functions;  ///< G^k: the connecting functions; empty: not given
   Span span;
 };
 
@@ -210,6 +212,7 @@ struct Statement {
   Proposition corrected;                    ///< erratum
   std::optional<std::string> note;          ///< erratum, assume
   ExpressionPointer shown;                  ///< show
+  std::optional<Joint> shown_joint;         ///< show joint of ... and ...
 };
 
 /// The declared type of a formal parameter of a definition, or of its result.

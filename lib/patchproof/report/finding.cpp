@@ -102,6 +102,7 @@ class Notes {
     const bool minimum = std::holds_alternative<MinimumClaim>(claim_.kind);
     note(minimum ? "value at the candidate" : "left side", witness.left);
     note(minimum ? "value at the competitor" : "right side", witness.right);
+    note("reason", printable(decision_.reason));
     derived();
     details();
     if (claim_.expectation == Expectation::open)
