@@ -79,4 +79,15 @@ TEST_CASE("an inequality may restrict a parameter") {
 )~") == "half PROVED uses left\ninverse PROVED uses left\nmore REFUTED\n");
 }
 
+// The witness has to name v, although no statement does.
+TEST_CASE("an inequality about a parameter that a claim does not name leaves the claim decidable") {
+  CHECK(verdicts(R"~(
+  param u, v in [0, 1]
+  scalar f(u) : C^0
+  assume inside: u > 0, v > 0, v < 1
+  prove quotient: u*f(u)/u == f(u)
+  refute zero: f(u) == 0
+)~") == "quotient PROVED uses inside\nzero REFUTED\n");
+}
+
 }  // namespace patchproof
