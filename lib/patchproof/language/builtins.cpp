@@ -80,7 +80,11 @@ Term running(const Call& call, bool sum) {
   for (const std::vector<int>& values : call.elaborator.combinations(binders, call.scope)) {
     call.elaborator.workshop().count_term(call.span());
     const Scope inner = Elaborator::bound(call.scope, binders, values);
-    terms.push_back(call.elaborator.expression(*call.expression.arguments[0].value, inner));
+    const Expression& term = *call.expression.arguments[0].value;
+    terms.push_back(call.elaborator.expression(term, inner));
+    if (!sum && !call.construct().value(inner, terms.back()).type().is_scalar())
+      throw Fault{term.span, "the factors of a product have to be scalars, and this is a " +
+                                 to_text(terms.back().type())};
   }
   const std::string signs(terms.size(), sum ? '+' : '*');
   return sum ? call.construct().sum(call.scope, std::move(terms), signs, call.span())
