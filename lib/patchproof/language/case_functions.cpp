@@ -2,8 +2,6 @@
 
 namespace patchproof {
 
-namespace {
-
 void require_different(const std::vector<syntax::Name>& parameters) {
   for (std::size_t k = 0; k < parameters.size(); ++k)
     for (std::size_t earlier = 0; earlier < k; ++earlier)
@@ -11,8 +9,6 @@ void require_different(const std::vector<syntax::Name>& parameters) {
         throw Fault{parameters[k].span,
                     "the parameter '" + parameters[k].text + "' occurs twice"};
 }
-
-}  // namespace
 
 Formals CaseElaborator::formals_of(const std::vector<syntax::Name>& names, Scope& inner) {
   Formals formals;

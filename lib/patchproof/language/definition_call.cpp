@@ -146,9 +146,11 @@ Term Elaborator::definition_call(const syntax::Definition& definition,
     const syntax::Argument& given = call.arguments[k];
     if (!given.value) throw Fault{call.span, "a running index is not an argument of a definition"};
     if (formal.type.kind == syntax::FormalType::Kind::spline) {
-      const Spline& s = spline(*given.value, scope);
       inside.declare(formal.name.text,
-                     Entity{Entity::Kind::spline, {}, std::make_shared<const Spline>(s), {}});
+                     Entity{Entity::Kind::spline,
+                            {},
+                            std::make_shared<const Spline>(spline(*given.value, scope)),
+                            {}});
       continue;
     }
     arguments.push_back(argument(formal, expression(*given.value, scope), scope));

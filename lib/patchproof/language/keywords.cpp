@@ -27,7 +27,7 @@ const std::vector<std::string>& file_keywords() {
 const std::vector<std::string>& inner_keywords() {
   static const std::vector<std::string> words{
       "using", "for", "from", "gives", "leaves",    "inconsistent", "where",     "over", "on",
-      "at",    "in",  "of",   "joint", "minimizes", "printed",      "corrected", "note", "and"};
+      "at",    "in",  "of",   "joint", "minimizes", "printed",      "corrected", "note", "and", "with"};
   return words;
 }
 

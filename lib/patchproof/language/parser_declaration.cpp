@@ -3,7 +3,8 @@
 //   param  NAME {, NAME} in range {, ...}          family binder {, binder}
 //   scalar | point | curve | patch | volume  declarator {, declarator} { ":" property | "in" R^n }
 //   matrix NAME = expression                       let NAME [(NAMES)] = expression
-//   net NAME[i, j] = expression for binders        spline NAME = bspline(...)
+//   net NAME[i, j] = expression for binders
+//   spline NAME = bspline(...) | merged(...) | expression
 
 #include <patchproof/language/grammar.hpp>
 
@@ -165,15 +166,23 @@ void net(TokenStream& stream, Statement& statement) {
   statement.declarators.push_back(std::move(result));
 }
 
-/// `bspline(M, degree 3, 3, clamped uniform)` or `bspline(M, degree 2, knots [...])`
+/// `bspline(M, degree 3, 3, clamped uniform)` or `merged(B, degree 2, weights w, knots [...])`, or
+/// a spline made of another: `insert_knot(T, 1/2)`.
 void spline(TokenStream& stream, Statement& statement) {
   Declarator declared;
   declared.name = stream.name();
   stream.expect("=");
-  stream.expect("bspline");
+  const bool merged = stream.is("merged") && stream.is("(", 1);
+  if (!merged && !stream.is("bspline")) {
+    declared.value = expression(stream);
+    statement.declarators.push_back(std::move(declared));
+    return;
+  }
+  stream.advance();
   const Nested nested(stream, Nested::Kind::bracket);
   stream.expect("(");
   syntax::SplineData data;
+  data.merged = merged;
   data.control_points = expression(stream);
   stream.expect(",");
   stream.expect("degree");
@@ -181,6 +190,10 @@ void spline(TokenStream& stream, Statement& statement) {
     data.degrees.push_back(stream.whole_number("a degree", 0, highest_degree));
     stream.expect(",");
   } while (stream.is(Token::Kind::number));
+  if (stream.accept("weights")) {
+    data.weights = expression(stream);
+    stream.expect(",");
+  }
   if (stream.accept("clamped")) {
     stream.expect("uniform");
   } else if (stream.accept("knots")) {

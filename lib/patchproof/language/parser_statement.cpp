@@ -1,6 +1,6 @@
 // One statement of a case: what is said about the case here, declarations and claims elsewhere.
 //
-//   title STRING | quote STRING | tags NAME {, NAME} | show expression
+//   title STRING | quote STRING | tags NAME {, NAME} | show ( expression | joint )
 //   source STRING { lang NAME | section STRING | page ( NUMBER | STRING ) }
 //   limit ( time | memory | terms | steps ) NUMBER [ s | ms | MB | GB ]
 
@@ -95,8 +95,7 @@ void contents(TokenStream& stream, Statement& statement) {
     case Kind::limit:
       return limit(stream, statement);
     case Kind::show:
-      statement.shown = expression(stream);
-      return;
+      return show(stream, statement);
     case Kind::assume:
       return assumption(stream, statement);
     case Kind::prove:
