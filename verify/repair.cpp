@@ -91,9 +91,8 @@ ExitCode run(const RepairArguments& arguments) {
   print_error(mistakes(Report{report.files, false}));
   say_what_is_empty(paths, selection, files);
   const ExitCode code = exit_code(report);
-  return output.write(written(report, arguments.check.format))
-             ? code
-             : graver(code, ExitCode::unreadable);
+  return output.write(written(report, arguments.check.format)) ? code
+                                                               : graver(code, ExitCode::unreadable);
 }
 
 void declare(CLI::App& command, RepairArguments& a) {
@@ -112,7 +111,8 @@ void declare(CLI::App& command, RepairArguments& a) {
       ->allow_extra_args(false);
   option("--most", a.changes, "Changes that are tried together; usual are 2", "N")
       ->check(whole_number());
-  option("--candidates", a.candidates, "Changed statements that are looked at; usual are 20000", "N")
+  option("--candidates", a.candidates, "Changed statements that are looked at; usual are 20000",
+         "N")
       ->check(whole_number());
   option("--format", a.check.format, "text (usual) or json", "FORMAT")
       ->check(CLI::IsMember(std::set<std::string>{"text", "json"}));

@@ -33,9 +33,8 @@ TEST_CASE("the correction of every erratum of cases/ is found") {
   for (const SourceText& source : case_files()) {
     const auto shared = std::make_shared<const SourceText>(source);
     if (source.text.find("erratum") == std::string::npos) continue;
-    const ReadFile file = read_cases(shared, Limits{}, [](const std::string&) {
-      return std::optional<std::string>{};
-    });
+    const ReadFile file = read_cases(
+        shared, Limits{}, [](const std::string&) { return std::optional<std::string>{}; });
     const Parsed parsed = parse(shared);
     RepairOptions options;
     options.wanted = [](const Case&, const Claim& claim) { return claim.verb == "printed"; };

@@ -9,10 +9,10 @@ namespace patchproof {
 namespace {
 
 CaseAudit audit_of(const std::string& statements) {
-  const auto source = std::make_shared<const SourceText>(
-      SourceText{"a.proof", "case a\n" + statements + "end\n"});
-  const ReadFile file = read_cases(
-      source, Limits{}, [](const std::string&) { return std::optional<std::string>{}; });
+  const auto source =
+      std::make_shared<const SourceText>(SourceText{"a.proof", "case a\n" + statements + "end\n"});
+  const ReadFile file =
+      read_cases(source, Limits{}, [](const std::string&) { return std::optional<std::string>{}; });
   REQUIRE(file.diagnostics.empty());
   const Case& given = file.cases.at(0);
   return audited(given, verified(given, {}));
@@ -49,8 +49,7 @@ TEST_CASE("an assumption is necessary when the claim is false without it") {
 
 TEST_CASE("an assumption is needed when the proof does not go through without it") {
   // Without x != 0 the claim holds under a condition, which is less.
-  const CaseAudit audit =
-      audit_of("  scalar x\n  assume n: x != 0\n  prove one: x/x == 1\n");
+  const CaseAudit audit = audit_of("  scalar x\n  assume n: x != 0\n  prove one: x/x == 1\n");
   CHECK(needs(audit, "one") == "n needed");
 }
 

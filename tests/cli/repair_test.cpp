@@ -7,7 +7,8 @@ namespace patchproof {
 
 namespace {
 
-const std::string wrong = "case wrong\n  scalar a, b\n  prove square: (a+b)^2 == a^2 - 2*a*b + b^2\nend\n";
+const std::string wrong =
+    "case wrong\n  scalar a, b\n  prove square: (a+b)^2 == a^2 - 2*a*b + b^2\nend\n";
 
 Ended repair(const std::string& text, std::vector<std::string> options = {}) {
   options.insert(options.begin(), {"repair", "-"});
@@ -141,8 +142,7 @@ TEST_CASE("the audit as JSON, which is not there unless it was asked for") {
   CHECK(found["claims"][0]["assumptions"][0]["need"] == "kept");
   CHECK(found["assumptions"][0]["status"] == "kept");
   CHECK(found["assumptions"][0]["kept_by"][0] == "one");
-  const Ended plain =
-      run_program(TemporaryFolder{}, {"check", "-", "--format", "json"}, text);
+  const Ended plain = run_program(TemporaryFolder{}, {"check", "-", "--format", "json"}, text);
   CHECK_FALSE(nlohmann::json::parse(plain.output).contains("audits"));
 }
 

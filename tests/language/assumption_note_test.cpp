@@ -10,9 +10,8 @@ TEST_CASE("an assumption may say why it is there") {
   CHECK(reading_messages(text) == "");
   CHECK(formatted(SourceText{"a.proof", text}) == text);
   CHECK(meaning_of(text).find("\"note\": \"why\"") != std::string::npos);
-  const ReadFile file = read_cases(source_of(text), Limits{}, [](const std::string&) {
-    return std::optional<std::string>{};
-  });
+  const ReadFile file = read_cases(source_of(text), Limits{},
+                                   [](const std::string&) { return std::optional<std::string>{}; });
   const WrittenAssumption& written = file.cases.at(0).assumptions.at(0);
   CHECK(written.label == "p");
   CHECK(written.note == "why");

@@ -32,12 +32,11 @@ std::string canonical_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("every single change of a short statement") {
-  CHECK(changes("x + 2 == y") ==
-        std::vector<std::string>{"-x + 2 == y", "x - 2 == y", "x + 0 == y", "x + 1 == y",
-                                 "x + 3 == y", "x + 2 == -y"});
+  CHECK(changes("x + 2 == y") == std::vector<std::string>{"-x + 2 == y", "x - 2 == y", "x + 0 == y",
+                                                          "x + 1 == y", "x + 3 == y",
+                                                          "x + 2 == -y"});
   CHECK(changes("-x == y") == std::vector<std::string>{"x == y", "-x == -y"});
-  CHECK(changes("b[0] == y") ==
-        std::vector<std::string>{"-b[0] == y", "b[1] == y", "b[0] == -y"});
+  CHECK(changes("b[0] == y") == std::vector<std::string>{"-b[0] == y", "b[1] == y", "b[0] == -y"});
   CHECK(changes("H03(t) == y").size() == 5);  // -H03, H13, H23, H33, -y
 }
 

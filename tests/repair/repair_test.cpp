@@ -32,8 +32,8 @@ TEST_CASE("a wrong sign is found, and all instances of a family agree", "[litera
 
 TEST_CASE("a change that is right for one instance only is no repair") {
   // 2 -> 1 is right for n = 1, 2 -> 3 for n = 3, and 2 itself for n = 2.
-  const Repairs found = repairs_in_case(
-      "  family n in 1..3\n  scalar x\n  let a = n*x\n  refute one: a == 2*x\n");
+  const Repairs found =
+      repairs_in_case("  family n in 1..3\n  scalar x\n  let a = n*x\n  refute one: a == 2*x\n");
   CHECK(found.instances == 2);
   CHECK(found.outcome == Repairs::Outcome::none);
   CHECK(found.reason == "no change of at most 2 places makes it true");
@@ -76,8 +76,8 @@ TEST_CASE("what holds under a condition comes after what holds without") {
   // The conditions are those of the quotients.
   REQUIRE(found.outcome == Repairs::Outcome::found);
   for (const Repair& repair : found.repairs) CHECK(repair.verdict == Verdict::proved_if);
-  const Repairs mixed = repairs_in_case(
-      "  scalar x\n  let q = x/x\n  let one = 1\n  refute p: q == 2*one\n");
+  const Repairs mixed =
+      repairs_in_case("  scalar x\n  let q = x/x\n  let one = 1\n  refute p: q == 2*one\n");
   REQUIRE(mixed.repairs.size() >= 1);
   CHECK(mixed.repairs.back().verdict == Verdict::proved_if);
   CHECK(mixed.repairs.back().conditions == Texts{"x != 0"});
@@ -154,8 +154,8 @@ TEST_CASE("values that were derived may be used") {
 }
 
 TEST_CASE("a claim that is true under contradictory assumptions only is no repair") {
-  const Repairs found = repairs_in_case(
-      "  scalar a, b, c\n  assume sum: a + b == c\n  refute one: a - b == c\n");
+  const Repairs found =
+      repairs_in_case("  scalar a, b, c\n  assume sum: a + b == c\n  refute one: a - b == c\n");
   CHECK(texts(found) == Texts{"a + b == c"});
   CHECK(repairs_in_case("  scalar a\n  assume bad: a == 1, a == 2\n  prove one: a == 3\n")
             .printed.empty());

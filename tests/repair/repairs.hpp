@@ -14,8 +14,8 @@ namespace patchproof {
 /// with mistakes.
 inline std::vector<Repairs> repairs_in(const std::string& text, const RepairOptions& options = {}) {
   const auto source = std::make_shared<const SourceText>(SourceText{"a.proof", text});
-  const ReadFile file = read_cases(
-      source, Limits{}, [](const std::string&) { return std::optional<std::string>{}; });
+  const ReadFile file =
+      read_cases(source, Limits{}, [](const std::string&) { return std::optional<std::string>{}; });
   if (!file.diagnostics.empty() || file.cases.size() != 1) return {};
   return repairs_of(parse(source).file.cases.front(), file.cases.front(), Library::prelude(),
                     options);

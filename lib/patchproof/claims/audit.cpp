@@ -10,23 +10,34 @@ namespace patchproof {
 
 std::string to_text(Need need) {
   switch (need) {
-    case Need::unneeded: return "unneeded";
-    case Need::unrelated: return "unrelated";
-    case Need::kept: return "kept";
-    case Need::undecided: return "undecided";
-    case Need::needed: return "needed";
-    default: return "necessary";
+    case Need::unneeded:
+      return "unneeded";
+    case Need::unrelated:
+      return "unrelated";
+    case Need::kept:
+      return "kept";
+    case Need::undecided:
+      return "undecided";
+    case Need::needed:
+      return "needed";
+    default:
+      return "necessary";
   }
 }
 
 std::string to_text(AssumptionAudit::Status status) {
   using Status = AssumptionAudit::Status;
   switch (status) {
-    case Status::needed: return "needed";
-    case Status::kept: return "kept";
-    case Status::noted: return "noted";
-    case Status::undecided: return "undecided";
-    default: return "flagged";
+    case Status::needed:
+      return "needed";
+    case Status::kept:
+      return "kept";
+    case Status::noted:
+      return "noted";
+    case Status::undecided:
+      return "undecided";
+    default:
+      return "flagged";
   }
 }
 

@@ -35,8 +35,7 @@ bool Trial::finds_proof(const Goal& goal) {
       const std::vector<bool> all(goal.assumptions.size(), true);
       Hypotheses hypotheses{goal, all, *memory_->evaluator, memory_->workspace};
       if (hypotheses.contradictory()) return false;
-      const Finding found =
-          finding(goal, *memory_->evaluator, hypotheses, memory_->workspace);
+      const Finding found = finding(goal, *memory_->evaluator, hypotheses, memory_->workspace);
       return found.outcome == Finding::Outcome::holds;
     } catch (const FinerAngles&) {
       memory_->budget.spend(1000);

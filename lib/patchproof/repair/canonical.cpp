@@ -77,9 +77,8 @@ class Canonical {
     if (e.kind == Kind::name || e.kind == Kind::call) {
       const Expression& head = e.kind == Kind::call ? *e.operands.front() : e;
       const Type* type = head.kind == Kind::name ? names_.type(head.text) : nullptr;
-      if (type == nullptr) return e.kind == Kind::call && head.kind == Kind::name &&
-                                  (head.text == "transpose" || head.text == "row" ||
-                                   head.text == "column" || head.text == "net");
+      if (type == nullptr)
+        return e.kind == Kind::call && head.kind == Kind::name && names_.may_make_matrix(head.text);
       return type->is_matrix() || (type->is_function() && type->inner->is_matrix());
     }
     if (e.kind == Kind::index)
@@ -161,8 +160,7 @@ class Canonical {
     for (const syntax::Argument& a : e.arguments) {
       if (a.value) text += to_text(sum(*a.value));
       if (a.binder) text += a.binder->name.text + " in ";
-      const auto* interval =
-          a.binder ? &a.binder->interval : a.interval ? &*a.interval : nullptr;
+      const auto* interval = a.binder ? &a.binder->interval : a.interval ? &*a.interval : nullptr;
       if (interval != nullptr)
         text += to_text(sum(*interval->first)) + ".." + to_text(sum(*interval->last));
       text += ", ";

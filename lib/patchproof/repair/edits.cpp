@@ -157,9 +157,9 @@ class Walk {
       return edit.what == "transposed" && edit.begin == Line::begin_of(e.span) &&
              edit.end == Line::end_of(e.span);
     };
-    result_.erase(std::remove_if(result_.begin() + static_cast<std::ptrdiff_t>(from),
-                                 result_.end(), is_of_e),
-                  result_.end());
+    result_.erase(
+        std::remove_if(result_.begin() + static_cast<std::ptrdiff_t>(from), result_.end(), is_of_e),
+        result_.end());
   }
 
   void index(const Expression& e) {

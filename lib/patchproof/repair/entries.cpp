@@ -18,9 +18,8 @@ bool is_numeral(const Expression& e) {
   if (e.kind == Kind::number) return true;
   const bool made_of_numbers =
       e.kind == Kind::sum || e.kind == Kind::product || e.kind == Kind::negation;
-  return made_of_numbers && std::all_of(e.operands.begin(), e.operands.end(), [](const auto& o) {
-           return o->kind == Kind::number;
-         });
+  return made_of_numbers && std::all_of(e.operands.begin(), e.operands.end(),
+                                        [](const auto& o) { return o->kind == Kind::number; });
 }
 
 /// Compares a literal with a value of the same type, entry by entry.
@@ -34,8 +33,8 @@ class Comparison {
     if (literal.kind == Kind::tuple && type.is_point() &&
         literal.operands.size() == static_cast<std::size_t>(type.dimension)) {
       for (int k = 0; k < type.dimension; ++k)
-        compare(*literal.operands[static_cast<std::size_t>(k)], part(own, Operation::component, {k}),
-                part(value, Operation::component, {k}));
+        compare(*literal.operands[static_cast<std::size_t>(k)],
+                part(own, Operation::component, {k}), part(value, Operation::component, {k}));
     } else if (literal.kind == Kind::matrix && type.is_matrix()) {
       // A list may be written as a row.
       int cell = 0;
@@ -54,8 +53,7 @@ class Comparison {
 
  private:
   static Term part(const Term& whole, Operation operation, const Indices& place) {
-    const Type type =
-        operation == Operation::entry ? *whole.type().inner : Type::scalar();
+    const Type type = operation == Operation::entry ? *whole.type().inner : Type::scalar();
     return make_term(operation, type, {whole}, place, whole.span());
   }
 
@@ -85,7 +83,8 @@ std::size_t cells(const Expression& literal) {
 }
 
 std::size_t cells(const Type& type) {
-  if (type.is_matrix()) return static_cast<std::size_t>(type.rows) * static_cast<std::size_t>(type.columns);
+  if (type.is_matrix())
+    return static_cast<std::size_t>(type.rows) * static_cast<std::size_t>(type.columns);
   return type.is_point() ? 1 : 0;
 }
 

@@ -21,8 +21,7 @@ std::string Line::text_of(const Span& span) const {
 }
 
 std::optional<Line> line_of(const std::string& text) {
-  const auto source =
-      std::make_shared<const SourceText>(SourceText{"", before + text + after});
+  const auto source = std::make_shared<const SourceText>(SourceText{"", before + text + after});
   const Parsed parsed = parse(source);
   if (!parsed.diagnostics.empty() || parsed.file.cases.size() != 1) return std::nullopt;
   const std::vector<syntax::Statement>& statements = parsed.file.cases.front().statements;

@@ -31,6 +31,9 @@ std::string kind_of(const syntax::Definition& definition) {
 
 const std::vector<std::string> waves{"cos", "sin"};
 
+const std::vector<std::string> matrix_builtins{"transpose",  "row", "column",        "net",
+                                               "bezier_net", "sum", "control_points"};
+
 bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -63,6 +66,15 @@ std::vector<std::string> Names::others(const std::string& name,
 const Type* Names::type(const std::string& name) const {
   const Entity* entity = scope_.find(name);
   return entity != nullptr && entity->kind == Entity::Kind::term ? &entity->term.type() : nullptr;
+}
+
+bool Names::may_make_matrix(const std::string& name) const {
+  if (const syntax::Definition* definition = library_.find(name)) {
+    using Kind = syntax::FormalType::Kind;
+    const Kind kind = definition->result.kind;
+    return kind == Kind::net || kind == Kind::matrix || kind == Kind::list;
+  }
+  return holds(matrix_builtins, name);
 }
 
 bool Names::is_parameter(const std::string& name) const {

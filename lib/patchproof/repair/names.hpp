@@ -24,6 +24,8 @@ class Names {
   /// Whether it runs over a range.
   bool is_parameter(const std::string& name) const;
   bool is_declared(const std::string& name) const { return scope_.find(name) != nullptr; }
+  /// Whether a call of this definition or built-in function may be a matrix.
+  bool may_make_matrix(const std::string& name) const;
   /// Whether it is defined in the case language.
   bool is_definition(const std::string& name) const { return library_.find(name) != nullptr; }
 

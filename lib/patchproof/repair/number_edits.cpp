@@ -21,7 +21,8 @@ bool fits(const Rational& number, NumberPlace place) {
 }
 
 bool follows_sign(const Line& line, std::size_t begin) {
-  const std::size_t before = begin == 0 ? std::string::npos : line.text.find_last_not_of(' ', begin - 1);
+  const std::size_t before =
+      begin == 0 ? std::string::npos : line.text.find_last_not_of(' ', begin - 1);
   return before != std::string::npos && (line.text[before] == '-' || line.text[before] == '+');
 }
 

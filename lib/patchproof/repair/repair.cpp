@@ -61,11 +61,10 @@ class StatementRepair {
     for (const syntax::Comparison& comparison : whole->proposition.comparisons) {
       const std::optional<Line> line = line_of(whole->text_of(comparison.span));
       if (!line || judge_.may_hold(line->proposition)) continue;
-      const bool is_equation =
-          std::all_of(comparison.operators.begin(), comparison.operators.end(),
-                      [](const std::string& sign) { return sign == "=="; });
+      const bool is_equation = std::all_of(comparison.operators.begin(), comparison.operators.end(),
+                                           [](const std::string& sign) { return sign == "=="; });
       if (!is_equation) return not_tried(result, "only equations are repaired");
-      ComparisonSearch search{*line,  judge_, names, given_.limits, options_.most_changes, budget_};
+      ComparisonSearch search{*line, judge_, names, given_.limits, options_.most_changes, budget_};
       parts.push_back({Line::begin_of(comparison.span), search.least()});
       if (search.stopped()) result.complete = false;
       if (search.disagreement()) {
@@ -156,8 +155,8 @@ std::vector<Repairs> repairs_of(const syntax::Case& written, const Case& given,
   std::vector<const Claim*> first;
   for (const ClaimResult& claim : decided.claims) {
     if (claim.decision.verdict != Verdict::refuted) continue;
-    const auto [place, fresh] = known.emplace(
-        std::make_pair(claim.claim.span.begin, claim.claim.label), result.size());
+    const auto [place, fresh] =
+        known.emplace(std::make_pair(claim.claim.span.begin, claim.claim.label), result.size());
     if (!fresh) {
       ++result[place->second].instances;
       continue;
@@ -176,10 +175,9 @@ std::vector<Repairs> repairs_of(const syntax::Case& written, const Case& given,
       repairs.reason = "only equations are repaired";
       continue;
     }
-    const syntax::Proposition& printed =
-        first[k]->verb == "printed"     ? statement->printed
-        : first[k]->verb == "corrected" ? statement->corrected
-                                        : statement->proposition;
+    const syntax::Proposition& printed = first[k]->verb == "printed"     ? statement->printed
+                                         : first[k]->verb == "corrected" ? statement->corrected
+                                                                         : statement->proposition;
     StatementRepair{written, *statement, printed, given, library, options}.run(repairs);
   }
   return result;

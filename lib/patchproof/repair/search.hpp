@@ -16,7 +16,8 @@ struct SearchStopped {};
 class SearchBudget {
  public:
   SearchBudget(std::size_t most_candidates, std::chrono::milliseconds time)
-      : most_{most_candidates}, end_{std::chrono::steady_clock::now() + time},
+      : most_{most_candidates},
+        end_{std::chrono::steady_clock::now() + time},
         timed_{time.count() != 0} {}
 
   /// Counts one candidate, whatever becomes of it. @throws SearchStopped

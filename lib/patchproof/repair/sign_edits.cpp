@@ -10,8 +10,7 @@ std::vector<Edit> sign_edits(const Line& line, const Span& part) {
   bool after_operand = false;
   for (const Token& token : tokens_of(source).tokens) {
     const std::string word = line.text.substr(token.begin, token.end - token.begin);
-    const bool inside =
-        Line::begin_of(part) <= token.begin && token.end <= Line::end_of(part);
+    const bool inside = Line::begin_of(part) <= token.begin && token.end <= Line::end_of(part);
     if (inside && (word == "+" || word == "-")) {
       const std::string other = after_operand ? (word == "+" ? "-" : "+") : "";
       result.push_back({token.begin, token.end, other, "sign"});

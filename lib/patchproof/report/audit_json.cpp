@@ -38,9 +38,8 @@ Json to_json(const CaseAudit& audit) {
   Json assumptions = Json::array();
   for (const AssumptionAudit& assumption : audit.assumptions)
     assumptions.push_back(to_json(assumption));
-  return {{"case", audit.name},
-          {"claims", std::move(claims)},
-          {"assumptions", std::move(assumptions)}};
+  return {
+      {"case", audit.name}, {"claims", std::move(claims)}, {"assumptions", std::move(assumptions)}};
 }
 
 }  // namespace

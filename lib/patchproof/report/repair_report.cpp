@@ -32,13 +32,14 @@ std::string headline(const Repairs& statement) {
   std::string text = (place.empty() ? "" : place + ": ") + printable(statement.id) + ": ";
   if (statement.instances > 1) text += std::to_string(statement.instances) + " instances, ";
   if (statement.repairs.empty())
-    return text + (statement.outcome == Repairs::Outcome::not_tried ? "not tried: " : "no repair: ") +
+    return text +
+           (statement.outcome == Repairs::Outcome::not_tried ? "not tried: " : "no repair: ") +
            statement.reason + "\n";
   text += counted(statement.repairs.size(), "repair", "repairs") + " of " +
           counted(statement.repairs.front().edits.size(), "change", "changes");
   if (!statement.complete)
-    text += ", perhaps more: stopped after " + std::to_string(statement.tried) +
-            " changed statements";
+    text +=
+        ", perhaps more: stopped after " + std::to_string(statement.tried) + " changed statements";
   return text + "\n";
 }
 
@@ -49,7 +50,8 @@ std::string in_words(const Repair& repair, const std::string& printed) {
   text += ": " + to_text(repair.verdict);
   for (std::size_t k = 0; k < repair.conditions.size(); ++k)
     text += (k == 0 ? " " : ", ") + repair.conditions[k];
-  return text + (repair.evidence == Evidence::both_engines ? ", by both engines" : ", by the kernel");
+  return text +
+         (repair.evidence == Evidence::both_engines ? ", by both engines" : ", by the kernel");
 }
 
 std::string paragraph(const Repairs& statement) {
@@ -76,8 +78,7 @@ std::string summary(const RepairReport& report) {
 }  // namespace
 
 ExitCode exit_code(const RepairReport& report) {
-  ExitCode worst =
-      report.statements.empty() ? ExitCode::nothing_ran : ExitCode::as_expected;
+  ExitCode worst = report.statements.empty() ? ExitCode::nothing_ran : ExitCode::as_expected;
   for (const FileReport& file : report.files)
     if (!file.unreadable.empty() || !file.diagnostics.empty())
       worst = graver(worst, ExitCode::unreadable);
