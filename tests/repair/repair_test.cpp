@@ -172,6 +172,18 @@ TEST_CASE("only equations are repaired", "[reject]") {
   CHECK(joint.reason == "only equations are repaired");
 }
 
+TEST_CASE("of a derivation, check shows what is derived", "[reject]") {
+  const Repairs found = repairs_in_case("  scalar x\n  derive one: x from x == 1 gives 2\n");
+  CHECK(found.printed == "derive one: x from x == 1 gives 2");
+  CHECK(found.outcome == Repairs::Outcome::not_tried);
+  CHECK(found.reason == "'check' shows what is derived instead");
+}
+
+TEST_CASE("a high exponent has neighbours too") {
+  CHECK(contains(texts(repairs_in_case("  scalar a\n  let p = a^12\n  refute one: p == a^13\n")),
+                 "p == a^12"));
+}
+
 TEST_CASE("a statement of thousands of characters is not tried", "[reject]") {
   std::string long_sum = "a";
   while (long_sum.size() < 4000) long_sum += " + a";

@@ -106,10 +106,14 @@ Entries entries_of(const Line& line, const Claim& claim, const Limits& limits) {
   const Term& own = is_literal(left) ? statement.left : statement.right;
   const Term& value = is_literal(left) ? statement.right : statement.left;
   if (cells(literal) != cells(value.type())) return result;
-  Comparison entries{goal, limits, result};
-  entries.compare(literal, own, value);
-  if (entries.others_differ()) result.corrections.clear();
-  return result;
+  try {
+    Comparison entries{goal, limits, result};
+    entries.compare(literal, own, value);
+    if (entries.others_differ()) result.corrections.clear();
+    return result;
+  } catch (const TooDeep&) {
+    return {};
+  }
 }
 
 }  // namespace patchproof

@@ -12,10 +12,11 @@ constexpr int highest_exponent = 9;
 
 bool is_whole(const Rational& number) { return denominator(number) == 1; }
 
-bool fits(const Rational& number, NumberPlace place) {
+bool fits(const Rational& number, const Rational& old, NumberPlace place) {
   const bool natural = is_whole(number) && number >= 0;
   if (place == NumberPlace::index) return natural;
-  if (place == NumberPlace::exponent) return natural && number <= highest_exponent;
+  if (place == NumberPlace::exponent)
+    return natural && (number <= highest_exponent || abs(number - old) == 1);
   // Below 0 is outside of most ranges.
   return place != NumberPlace::argument || number >= 0;
 }
@@ -56,7 +57,7 @@ void add_number_edits(const Line& line, const syntax::Expression& number, Number
   // Below a sign, a change of the sign is the same.
   if (!follows_sign(line, begin)) values.push_back(-old);
   for (const Rational& value : values) {
-    if (value == old || !fits(value, place)) continue;
+    if (value == old || !fits(value, old, place)) continue;
     edits.push_back({begin, Line::end_of(number.span), as_operand(value),
                      place == NumberPlace::index ? "index" : "number"});
   }

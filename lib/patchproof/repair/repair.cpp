@@ -163,7 +163,9 @@ std::vector<Repairs> repairs_of(const syntax::Case& written, const Case& given,
     }
     Repairs& repairs = result.emplace_back();
     repairs.id = given.name + "." + claim.claim.label;
-    repairs.statement = claim.claim.statement;
+    // What a derivation says of its unknowns stands outside of its equations.
+    const bool derives = claim.claim.verb == "derive";
+    repairs.statement = derives ? claim.claim.span : claim.claim.statement;
     first.push_back(&claim.claim);
   }
   for (std::size_t k = 0; k < result.size(); ++k) {
@@ -172,7 +174,7 @@ std::vector<Repairs> repairs_of(const syntax::Case& written, const Case& given,
     const syntax::Statement* statement = statement_of(written, *first[k]);
     if (statement == nullptr || first[k]->verb == "derive") {
       repairs.outcome = Repairs::Outcome::not_tried;
-      repairs.reason = "only equations are repaired";
+      repairs.reason = "'check' shows what is derived instead";
       continue;
     }
     const syntax::Proposition& printed = first[k]->verb == "printed"     ? statement->printed
