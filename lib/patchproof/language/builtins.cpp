@@ -73,7 +73,8 @@ Term transpose(const Call& call) {
                                call.span());
 }
 
-Term finite_sum(const Call& call) {
+// A sum or a product: the first argument for every combination of the running indices.
+Term running(const Call& call, bool sum) {
   const std::vector<syntax::Binder> binders = call.binders(1);
   std::vector<Term> terms;
   for (const std::vector<int>& values : call.elaborator.combinations(binders, call.scope)) {
@@ -81,8 +82,9 @@ Term finite_sum(const Call& call) {
     const Scope inner = Elaborator::bound(call.scope, binders, values);
     terms.push_back(call.elaborator.expression(*call.expression.arguments[0].value, inner));
   }
-  const std::string signs(terms.size(), '+');
-  return call.construct().sum(call.scope, std::move(terms), signs, call.span());
+  const std::string signs(terms.size(), sum ? '+' : '*');
+  return sum ? call.construct().sum(call.scope, std::move(terms), signs, call.span())
+             : call.construct().product(call.scope, std::move(terms), signs, call.span());
 }
 
 Term net(const Call& call) {
@@ -141,9 +143,38 @@ Term bezier(const Call& call) {
   const bool curve = type.list || type.rows == 1 || type.columns == 1;
   Expression inner = call.expression;
   auto callee = std::make_shared<Expression>(*call.expression.operands.front());
-  callee->text = curve ? "bezier_curve" : "bezier_patch";
+  callee->text += curve ? "_curve" : "_patch";
   inner.operands.front() = callee;
   return call.elaborator.expression(inner, Scope{&call.scope});
+}
+
+// A rational curve or patch: as many weights as points.
+Term rational_bezier(const Call& call) {
+  const Term points = call.matrix(0);
+  const Term weights = call.matrix(1);
+  const auto count = [](const Type& t) { return t.rows * t.columns; };
+  if (!weights.type().inner->is_scalar())
+    throw Fault{weights.span(), "weights are numbers, this is a " + to_text(weights.type())};
+  const bool curve = points.type().rows == 1 || points.type().columns == 1;
+  const bool fit = curve ? count(points.type()) == count(weights.type()) &&
+                               (weights.type().rows == 1 || weights.type().columns == 1)
+                         : points.type().rows == weights.type().rows &&
+                               points.type().columns == weights.type().columns;
+  if (!fit)
+    throw Fault{weights.span(), "each point has one weight: a " + to_text(weights.type()) +
+                                    " does not fit a " + to_text(points.type())};
+  const bool all_zero = weights.operation() == Operation::matrix &&
+                        std::all_of(weights.children().begin(), weights.children().end(), is_zero);
+  if (all_zero) throw Fault{weights.span(), "all weights are 0: there is no curve or patch"};
+  return bezier(call);
+}
+
+// As a value: there is none.
+Term whole_spline(const Call& call) {
+  const std::string& name = call.expression.operands.front()->text;
+  throw Fault{call.span(), "'" + name + "' gives a spline, which is made of pieces",
+              "segment(" + name + "(…), 0) is its first piece; spline T = " + name +
+                  "(…) gives it a name"};
 }
 
 struct Builtin {
@@ -169,7 +200,10 @@ const std::vector<Builtin>& builtins() {
       {"cross", "cross(a, b)", 2, 2, [](const Call& c) { return of_two_points(c, Operation::cross); }},
       {"transpose", "transpose(M)", 1, 1, transpose},
       {"diff", "diff(r, u, 2, v)", 2, many, derivative_of},
-      {"sum", "sum(b[i]*x^i, i in 0..3)", 2, many, finite_sum},
+      {"sum", "sum(b[i]*x^i, i in 0..3)", 2, many, [](const Call& c) { return running(c, true); }},
+      {"product", "product(t - a[i], i in 0..3)", 2, many,
+       [](const Call& c) { return running(c, false); }},
+      {"integral", "integral(f(u), u in [0, 1])", 2, many, integral_of},
       {"net", "net(c[i,0], i in 0..3, j in 0..3)", 2, 3, net},
       {"rows", "rows(M)", 1, 1, [](const Call& c) { return extent(c, true); }},
       {"columns", "columns(M)", 1, 1, [](const Call& c) { return extent(c, false); }},
@@ -178,9 +212,16 @@ const std::vector<Builtin>& builtins() {
       {"bernstein", "bernstein(n, i, t)", 3, 3, bernstein},
       {"binomial", "binomial(n, k)", 2, 2, binomial},
       {"bezier", "bezier(b)", 1, 1, bezier},
+      {"rational_bezier", "rational_bezier(b, w)", 2, 2, rational_bezier},
       {"segment", "segment(T, i) or segment(T, i, j)", 2, 3, spline(segment)},
       {"bezier_net", "bezier_net(T)", 1, 1, spline(bezier_net)},
+      {"bezier_weights", "bezier_weights(T)", 1, 1, spline(bezier_weights)},
       {"control_points", "control_points(T)", 1, 1, spline(control_points)},
+      {"weights", "weights(T)", 1, 1, spline(weights)},
+      {"knots", "knots(T) or knots(T, u)", 1, 2, spline(knots)},
+      {"greville", "greville(T) or greville(T, u)", 1, 2, spline(greville)},
+      {"insert_knot", "insert_knot(T, t) or insert_knot(T, u, t)", 2, 3, whole_spline},
+      {"elevate_degree", "elevate_degree(T) or elevate_degree(T, u)", 1, 2, whole_spline},
   };
   return table;
 }
@@ -204,8 +245,7 @@ std::vector<std::string> builtin_names() {
 
 std::string builtin_usage(const std::string& name) { return find(name)->usage; }
 
-Term builtin_call(const std::string& name, const syntax::Expression& call, const Scope& scope,
-                  Elaborator& elaborator) {
+void require_arguments(const std::string& name, const syntax::Expression& call) {
   const Builtin& builtin = *find(name);
   const std::size_t count = call.arguments.size();
   if (count < builtin.fewest || count > builtin.most)
@@ -214,7 +254,12 @@ Term builtin_call(const std::string& name, const syntax::Expression& call, const
                 builtin.usage};
   if (!call.arguments.front().value)
     throw Fault{call.span, "a running index comes after the term it runs in", builtin.usage};
-  return builtin.value({call, scope, elaborator});
+}
+
+Term builtin_call(const std::string& name, const syntax::Expression& call, const Scope& scope,
+                  Elaborator& elaborator) {
+  require_arguments(name, call);
+  return find(name)->value({call, scope, elaborator});
 }
 
 }  // namespace patchproof

@@ -15,6 +15,9 @@ std::vector<std::string> builtin_names();
 /// How it is called: "bernstein(n, i, t)".
 std::string builtin_usage(const std::string& name);
 
+/// Fault when the call has too few or too many arguments.
+void require_arguments(const std::string& name, const syntax::Expression& call);
+
 /// The value of `name(arguments)`.
 /// @throws Fault
 Term builtin_call(const std::string& name, const syntax::Expression& call, const Scope& scope,

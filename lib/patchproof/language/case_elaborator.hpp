@@ -29,6 +29,8 @@ std::vector<CaseInstance> instances_of(const syntax::Case& written, const Librar
 
 /// Whether such a statement says something, rather than something about the case as a whole.
 bool has_meaning(syntax::Statement::Kind kind);
+/// Checks that no parameter occurs twice. @throws Fault
+void require_different(const std::vector<syntax::Name>& parameters);
 
 /// The work on one instance of a case; see `elaborated`.
 class CaseElaborator {
@@ -69,6 +71,8 @@ class CaseElaborator {
                 const std::string& instance, Case& result);
   void derive(const syntax::Statement& statement, const Scope& scope, const std::string& instance,
               Case& result);
+  // minima (case_minimum.cpp)
+  MinimumClaim minimum(const syntax::Minimum& minimum, const Scope& scope);
   Goal goal_of(const syntax::Proposition& proposition, const Scope& scope);
   void add_comparison(const syntax::Comparison& comparison, const Scope& scope, Goal& goal);
   void add_relation(Term left, Relation relation, Term right, const Span& span, const Scope& scope,
@@ -78,7 +82,12 @@ class CaseElaborator {
   std::pair<Term, Term> range_of(const std::string& parameter) const;
   void require_equal_ranges(const JointEdge& first, const JointEdge& second,
                             const Span& span) const;
+  JointEdge edge_of(const syntax::Edge& edge, const Scope& scope);
+  JointQuestion joint_of(const syntax::Joint& joint, const Scope& scope, const Goal& given);
+  std::vector<Term> connecting_functions(const syntax::Joint& joint, const JointQuestion& question,
+                                         const Scope& scope);
   void add_joint(const syntax::Joint& joint, const Scope& scope, Goal& goal);
+  void show(const syntax::Statement& statement, Case& result);
   std::vector<SymbolPointer> unknowns_of(const Term& term, const Span& span) const;
   void check_uses(const syntax::Statement& statement, Claim& claim);
 

@@ -1,89 +1,156 @@
 #include <patchproof/language/builtin_splines.hpp>
 
+#include <algorithm>
+
 namespace patchproof {
 
 namespace {
 
-std::vector<Rational> clamped_uniform(int points, int degree, const Span& span) {
-  if (points < degree + 1)
-    throw Fault{span, "a spline of degree " + std::to_string(degree) + " needs at least " +
-                          std::to_string(degree + 1) + " control points in each direction, not " +
-                          std::to_string(points)};
+Knots clamped_uniform(int points, int degree, const Span& span) {
   const int spans = points - degree;
-  std::vector<Rational> knots(static_cast<std::size_t>(degree), 0);
-  for (int k = 0; k <= spans; ++k) knots.push_back(k);
-  knots.insert(knots.end(), static_cast<std::size_t>(degree), Rational{spans});
+  Knots knots(static_cast<std::size_t>(degree), number_term(0, span));
+  for (int k = 0; k <= spans; ++k) knots.push_back(number_term(k, span));
+  knots.insert(knots.end(), static_cast<std::size_t>(degree), number_term(spans, span));
   return knots;
 }
 
-std::vector<Rational> given_knots(const syntax::Expression& e, int points, int degree,
-                                  const Scope& scope, Elaborator& elaborator) {
+// The numbers among the knots have to increase, and equal knots have to stand together.
+void require_order(const Knots& knots, int degree) {
+  const Term* last_number = nullptr;
+  std::vector<Term> symbols;
+  int multiplicity = 0;
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    const Term& knot = knots[k];
+    const bool again = k > 0 && same_knot(knots[k - 1], knot);
+    multiplicity = again ? multiplicity + 1 : 1;
+    if (multiplicity > degree + 1)
+      throw Fault{knot.span(),
+                  "a knot occurs at most degree + 1 = " + std::to_string(degree + 1) + " times"};
+    if (again) continue;
+    if (knot.is_number()) {
+      if (last_number != nullptr && knot.number() < last_number->number())
+        throw Fault{knot.span(), "knots must not decrease"};
+      if (last_number != nullptr && knot.number() == last_number->number())
+        throw Fault{knot.span(), "equal knots stand together"};
+      last_number = &knots[k];
+      continue;
+    }
+    for (const Term& symbol : symbols)
+      if (same_knot(symbol, knot)) throw Fault{knot.span(), "equal knots stand together"};
+    symbols.push_back(knot);
+  }
+}
+
+Knots given_knots(const syntax::Expression& e, const Scope& scope, Elaborator& elaborator) {
   const Term list = elaborator.expression(e, scope);
   const Type& type = list.type();
-  if (list.operation() != Operation::matrix || !type.inner->is_scalar() ||
-      (type.rows != 1 && type.columns != 1))
+  if (!type.is_matrix() || !type.inner->is_scalar() || (type.rows != 1 && type.columns != 1))
     throw Fault{e.span, "knots are a list of numbers", "as in: knots [0, 0, 0, 1, 1, 1]"};
-  std::vector<Rational> knots;
-  for (const Term& knot : list.children()) {
-    if (!knot.is_number()) throw Fault{knot.span(), "a knot has to be a number"};
-    knots.push_back(knot.number());
+  Knots knots;
+  for (int k = 0; k < type.rows * type.columns; ++k) {
+    const Term knot = elaborator.construct().entry(list, {k}, e.span);
+    knots.push_back(elaborator.construct().scalar(scope, knot, "a knot"));
   }
-  const auto expected = static_cast<std::size_t>(points + degree + 1);
-  if (knots.size() != expected)
-    throw Fault{e.span, std::to_string(points) + " control points of degree " +
-                            std::to_string(degree) + " need " + std::to_string(expected) +
-                            " knots, not " + std::to_string(knots.size())};
-  int multiplicity = 1;
-  for (std::size_t k = 1; k < knots.size(); ++k) {
-    if (knots[k] < knots[k - 1])
-      throw Fault{list.child(k).span(), "knots must not decrease"};
-    multiplicity = knots[k] == knots[k - 1] ? multiplicity + 1 : 1;
-    if (multiplicity > degree + 1)
-      throw Fault{list.child(k).span(), "a knot occurs at most degree + 1 = " +
-                                            std::to_string(degree + 1) + " times"};
-  }
-  const auto p = static_cast<std::size_t>(degree);
-  if (knots[p] == knots[knots.size() - 1 - p])
-    throw Fault{e.span, "these knots leave no interval for the spline to be defined on"};
   return knots;
+}
+
+std::string count_of(int n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+// The knots of one direction with `given` control points, or Bézier points when merged.
+Knots knots_of(const syntax::SplineData& data, std::size_t direction, int given, int degree,
+               const Scope& scope, Elaborator& elaborator) {
+  const Span& where = data.control_points->span;
+  const auto p = static_cast<std::size_t>(degree);
+  if (data.merged && (given < degree + 1 || (given - 1) % degree != 0))
+    throw Fault{where, "k pieces of degree " + std::to_string(degree) + " have " +
+                           (degree == 1 ? "" : std::to_string(degree) + "*") +
+                           "k + 1 Bézier points, not " + std::to_string(given)};
+  if (!data.merged && given < degree + 1)
+    throw Fault{where, "a spline of degree " + std::to_string(degree) + " needs at least " +
+                           std::to_string(degree + 1) + " control points in each direction, not " +
+                           std::to_string(given)};
+  const int pieces = (given - 1) / degree;
+  if (data.knots.empty())
+    return clamped_uniform(data.merged ? pieces + degree : given, degree, where);
+  const syntax::Expression& e = *data.knots.at(data.knots.size() == 1 ? 0 : direction);
+  Knots knots = given_knots(e, scope, elaborator);
+  const auto expected = static_cast<std::size_t>(given) + p + 1;
+  if (!data.merged && knots.size() != expected)
+    throw Fault{e.span, count_of(given, "control point") + " of degree " + std::to_string(degree) +
+                            " need " + std::to_string(expected) + " knots, not " +
+                            std::to_string(knots.size())};
+  if (knots.size() < 2 * (p + 1))
+    throw Fault{e.span, "a spline of degree " + std::to_string(degree) + " has at least " +
+                            std::to_string(2 * (degree + 1)) + " knots, not " +
+                            std::to_string(knots.size())};
+  require_order(knots, degree);
+  const auto intervals = static_cast<int>(spans_of(knots, degree).size());
+  if (intervals == 0)
+    throw Fault{e.span, "these knots leave no interval for the spline to be defined on"};
+  if (data.merged && intervals != pieces)
+    throw Fault{e.span, "these knots have " + count_of(intervals, "interval") +
+                            ", and there are Bézier points of " + count_of(pieces, "piece")};
+  return knots;
+}
+
+// A list or net; one row or column is a list.
+Term points_of(const syntax::Expression& e, const std::string& what, const Scope& scope,
+               Elaborator& elaborator) {
+  const Term points = elaborator.expression(e, scope);
+  const Type& type = points.type();
+  if (!type.is_matrix())
+    throw Fault{e.span, what + " of a spline are a list or a net, not a " + to_text(type)};
+  if (type.list || (type.rows != 1 && type.columns != 1)) return points;
+  std::vector<Term> entries;
+  for (int k = 0; k < type.rows * type.columns; ++k)
+    entries.push_back(elaborator.construct().entry(points, {k}, e.span));
+  return elaborator.construct().list(std::move(entries), e.span);
 }
 
 }  // namespace
 
 Spline declared_spline(const syntax::SplineData& data, const Scope& scope, Elaborator& elaborator) {
-  constexpr int highest_degree = 40;
   const syntax::Expression& where = *data.control_points;
   Spline result;
-  result.control_points = elaborator.expression(where, scope);
-  const Type& type = result.control_points.type();
-  if (!type.is_matrix())
-    throw Fault{where.span, "the control points of a spline are a list or a net, not a " +
-                                to_text(type)};
-  if (!type.list && type.rows == 1) {
-    std::vector<Term> points;
-    for (int k = 0; k < type.columns; ++k)
-      points.push_back(elaborator.construct().entry(result.control_points, {k}, where.span));
-    result.control_points = elaborator.construct().list(std::move(points), where.span);
-  }
+  result.control_points =
+      points_of(where, data.merged ? "the Bézier points" : "the control points", scope, elaborator);
   const Type shape = result.control_points.type();
-  const bool curve = shape.list || shape.columns == 1;
+  const bool curve = shape.list;
   const std::size_t directions = curve ? 1 : 2;
-  if (data.degrees.size() > directions)
-    throw Fault{where.span, "a spline curve has one degree"};
+  if (data.degrees.size() > directions) throw Fault{where.span, "a spline curve has one degree"};
+  if (data.knots.size() > directions)
+    throw Fault{data.knots.back()->span, curve ? "a spline curve has one list of knots"
+                                               : "a spline surface has two lists of knots"};
+  if (data.weights) {
+    result.weights = points_of(*data.weights, "the weights", scope, elaborator);
+    const Type& type = result.weights.type();
+    if (!type.inner->is_scalar())
+      throw Fault{data.weights->span, "weights are numbers, this is a " + to_text(type)};
+    const Term& weights = result.weights;
+    if (weights.operation() == Operation::matrix &&
+        std::all_of(weights.children().begin(), weights.children().end(), is_zero))
+      throw Fault{data.weights->span, "all weights are 0: there is no curve or surface"};
+    if (type.rows != shape.rows || type.columns != shape.columns)
+      throw Fault{data.weights->span, "each point has one weight: a " + to_text(type) +
+                                          " does not fit a " + to_text(shape)};
+  }
   for (std::size_t k = 0; k < directions; ++k) {
     const int degree = data.degrees.at(data.degrees.size() == 1 ? 0 : k);
-    const int points = k == 0 ? shape.rows : shape.columns;
-    if (degree < 1 || degree > highest_degree)
+    if (degree < 1 || degree > highest_spline_degree)
       throw Fault{where.span, "the degree of a spline has to lie between 1 and " +
-                                  std::to_string(highest_degree)};
+                                  std::to_string(highest_spline_degree)};
     result.degrees.push_back(degree);
-    if (data.knots.empty()) {
-      result.knots.push_back(clamped_uniform(points, degree, where.span));
-    } else {
-      const auto& e = data.knots.at(data.knots.size() == 1 ? 0 : k);
-      result.knots.push_back(given_knots(*e, points, degree, scope, elaborator));
-    }
+    result.knots.push_back(
+        knots_of(data, k, k == 0 ? shape.rows : shape.columns, degree, scope, elaborator));
   }
+  if (!data.merged) return result;
+  ControlNet net{result, elaborator, where.span};
+  for (std::size_t k = 0; k < directions; ++k)
+    net.combine(k, control_factors(result.knots[k], result.degrees[k], elaborator, where.span));
+  result.control_points = net.points();
+  result.weights = net.weights();
   return result;
 }
 

@@ -17,6 +17,7 @@ std::string in_words(const syntax::FormalType& type) {
     case Kind::point: return "point";
     case Kind::curve: return "curve";
     case Kind::patch: return "patch";
+    case Kind::volume: return "volume";
     case Kind::net: return "net";
     case Kind::matrix: return "matrix";
     case Kind::list: return "list of points";
@@ -74,7 +75,8 @@ Term Elaborator::as_function(const syntax::Formal& formal, const Term& given, co
                 wanted.size() == 1
                     ? "it should depend on '" + wanted.front() + "'; or declare it: 'curve C(" +
                           wanted.front() + ") = ...'"
-                    : "declare it as a patch: 'patch p(u, v) = ...'"};
+                : wanted.size() == 2 ? "declare it as a patch: 'patch p(u, v) = ...'"
+                                     : "declare it as a volume: 'volume F(u, v, w) = ...'"};
   const Term function = construct_.lambda(formals, given, given.span());
   if (function.type().parameters == wanted) return function;
   return construct_.function(wanted, given.span(), [&](const std::vector<Term>& at) {
@@ -107,7 +109,8 @@ Term Elaborator::argument(const syntax::Formal& formal, const Term& given, const
     }
     case Kind::scalar_function:
     case Kind::curve:
-    case Kind::patch: {
+    case Kind::patch:
+    case Kind::volume: {
       const Term plain = given.type().is_matrix() ? decayed(given) : given;
       if (plain.type().is_matrix()) return wrong();
       const Term function = as_function(formal, plain, scope);
@@ -143,9 +146,11 @@ Term Elaborator::definition_call(const syntax::Definition& definition,
     const syntax::Argument& given = call.arguments[k];
     if (!given.value) throw Fault{call.span, "a running index is not an argument of a definition"};
     if (formal.type.kind == syntax::FormalType::Kind::spline) {
-      const Spline& s = spline(*given.value, scope);
       inside.declare(formal.name.text,
-                     Entity{Entity::Kind::spline, {}, std::make_shared<const Spline>(s), {}});
+                     Entity{Entity::Kind::spline,
+                            {},
+                            std::make_shared<const Spline>(spline(*given.value, scope)),
+                            {}});
       continue;
     }
     arguments.push_back(argument(formal, expression(*given.value, scope), scope));

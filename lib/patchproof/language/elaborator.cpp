@@ -4,6 +4,7 @@
 
 #include <patchproof/language/builtins.hpp>
 #include <patchproof/language/nearest_name.hpp>
+#include <patchproof/language/spline_changes.hpp>
 #include <patchproof/term/plain_text.hpp>
 
 namespace patchproof {
@@ -55,6 +56,9 @@ Term Elaborator::name(const std::string& text, const Span& span, const Scope& sc
       throw Fault{span, "'" + base + "' is a spline, which is made of pieces",
                   "segment(" + base + ", 0) is its first piece, for a surface segment(" + base +
                       ", 0, 0)"};
+    if (entity->kind == Entity::Kind::functional)
+      throw Fault{span, "'" + base + "' needs arguments: " + base + "(" +
+                            entity->functional->formals.front().text + ")"};
     // The same node, with the span of this use.
     const TermNode& node = *entity->term;
     const Term term = node.operation == Operation::symbol
@@ -144,12 +148,18 @@ bool Elaborator::is_number(const syntax::Expression& e, const Scope& scope) {
   return entity != nullptr && entity->kind == Entity::Kind::term && entity->term.is_number();
 }
 
-const Spline& Elaborator::spline(const syntax::Expression& e, const Scope& scope) {
+Spline Elaborator::spline(const syntax::Expression& e, const Scope& scope) {
   if (e.kind == syntax::Expression::Kind::name) {
     const Entity* entity = scope.find(e.text);
     if (entity != nullptr && entity->kind == Entity::Kind::faulty) throw FollowUp{};
     if (entity != nullptr && entity->kind == Entity::Kind::spline) return *entity->spline;
     if (entity == nullptr) unknown_name(e.text, e.span, scope);
+  }
+  if (e.kind == syntax::Expression::Kind::call) {
+    const syntax::Expression& callee = *e.operands.front();
+    const bool changes = callee.kind == syntax::Expression::Kind::name &&
+                         scope.find(callee.text) == nullptr && changes_splines(callee.text);
+    if (changes) return changed_spline(callee.text, e, scope, *this);
   }
   throw Fault{e.span, "a spline is needed here", "declare one: 'spline T = bspline(d, degree 3, clamped uniform)'"};
 }
@@ -220,7 +230,11 @@ Term Elaborator::expression(const syntax::Expression& e, const Scope& scope) {
 
 Term Elaborator::call(const syntax::Expression& e, const Scope& scope) {
   const syntax::Expression& callee = *e.operands.front();
-  if (callee.kind == syntax::Expression::Kind::name && scope.find(callee.text) == nullptr) {
+  const Entity* entity =
+      callee.kind == syntax::Expression::Kind::name ? scope.find(callee.text) : nullptr;
+  if (entity != nullptr && entity->kind == Entity::Kind::functional)
+    return functional_call(*entity->functional, e, scope);
+  if (callee.kind == syntax::Expression::Kind::name && entity == nullptr) {
     if (const syntax::Definition* definition = library_.find(callee.text))
       return definition_call(*definition, e, scope);
     if (is_builtin(callee.text)) return builtin_call(callee.text, e, scope, *this);

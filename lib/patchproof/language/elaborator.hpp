@@ -5,6 +5,7 @@
 
 #include <patchproof/language/construction.hpp>
 #include <patchproof/language/library.hpp>
+#include <patchproof/language/spline.hpp>
 #include <patchproof/language/syntax.hpp>
 
 namespace patchproof {
@@ -38,8 +39,8 @@ class Elaborator {
   /// Whether the expression is a number known beforehand, such as a running index.
   bool is_number(const syntax::Expression& expression, const Scope& scope);
 
-  /// The spline a name stands for; Fault when it is none.
-  const Spline& spline(const syntax::Expression& expression, const Scope& scope);
+  /// The spline a name or a call like insert_knot(T, 1/2) stands for; Fault when it is none.
+  Spline spline(const syntax::Expression& expression, const Scope& scope);
 
   Construction& construct() { return construct_; }
   Workshop& workshop() { return workshop_; }
@@ -48,6 +49,8 @@ class Elaborator {
  private:
   Term call(const syntax::Expression& expression, const Scope& scope);
   Term index(const syntax::Expression& expression, const Scope& scope);
+  Term functional_call(const Functional& functional, const syntax::Expression& call,
+                       const Scope& scope);
   Term definition_call(const syntax::Definition& definition, const syntax::Expression& call,
                        const Scope& scope);
   Term expanded(const syntax::Definition& definition, Scope& inside, std::vector<Term> arguments,

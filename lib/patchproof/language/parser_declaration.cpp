@@ -1,9 +1,10 @@
 // Declarations:
 //
 //   param  NAME {, NAME} in range {, ...}          family binder {, binder}
-//   scalar | point | curve | patch  declarator {, declarator} { ":" property | "in" R^n }
+//   scalar | point | curve | patch | volume  declarator {, declarator} { ":" property | "in" R^n }
 //   matrix NAME = expression                       let NAME [(NAMES)] = expression
-//   net NAME[i, j] = expression for binders        spline NAME = bspline(...)
+//   net NAME[i, j] = expression for binders
+//   spline NAME = bspline(...) | merged(...) | expression
 
 #include <patchproof/language/grammar.hpp>
 
@@ -41,7 +42,7 @@ std::vector<syntax::Interval> extents(TokenStream& stream) {
   return result;
 }
 
-/// Parameters of a function: one of a curve or a scalar function, two of a patch.
+/// Parameters of a function: one of a curve or a scalar function, two of a patch, three of a volume.
 void function_parameters(TokenStream& stream, const Statement& statement, Declarator& declared) {
   const std::size_t begin = stream.token().begin;
   declared.parameters = formal_parameters(stream);
@@ -52,18 +53,23 @@ void function_parameters(TokenStream& stream, const Statement& statement, Declar
   if (statement.kind == Kind::patch && count != 2) {
     stream.fail(stream.span_from(begin), "a patch has two parameters");
   }
+  if (statement.kind == Kind::volume && count != 3) {
+    stream.fail(stream.span_from(begin), "a volume has three parameters");
+  }
 }
 
 Declarator declarator(TokenStream& stream, const Statement& statement) {
   const bool may_be_array = statement.kind == Kind::scalar || statement.kind == Kind::point;
-  const bool must_be_function = statement.kind == Kind::curve || statement.kind == Kind::patch;
+  const bool must_be_function = statement.kind == Kind::curve || statement.kind == Kind::patch ||
+                                statement.kind == Kind::volume;
   Declarator result;
   result.name = stream.name();
   if (may_be_array && stream.is("[")) {
     result.extents = extents(stream);
   } else if (must_be_function && !stream.is("(")) {
-    stream.fail_expected(statement.kind == Kind::curve ? "a parameter, as in C(u)"
-                                                       : "parameters, as in r(u, v)");
+    stream.fail_expected(statement.kind == Kind::curve   ? "a parameter, as in C(u)"
+                         : statement.kind == Kind::patch ? "parameters, as in r(u, v)"
+                                                         : "parameters, as in F(u, v, w)");
   } else if (statement.kind != Kind::point && stream.is("(")) {
     function_parameters(stream, statement, result);
   } else if (statement.kind == Kind::scalar) {
@@ -160,15 +166,23 @@ void net(TokenStream& stream, Statement& statement) {
   statement.declarators.push_back(std::move(result));
 }
 
-/// `bspline(M, degree 3, 3, clamped uniform)` or `bspline(M, degree 2, knots [...])`
+/// `bspline(M, degree 3, 3, clamped uniform)` or `merged(B, degree 2, weights w, knots [...])`, or
+/// a spline made of another: `insert_knot(T, 1/2)`.
 void spline(TokenStream& stream, Statement& statement) {
   Declarator declared;
   declared.name = stream.name();
   stream.expect("=");
-  stream.expect("bspline");
+  const bool merged = stream.is("merged") && stream.is("(", 1);
+  if (!merged && !stream.is("bspline")) {
+    declared.value = expression(stream);
+    statement.declarators.push_back(std::move(declared));
+    return;
+  }
+  stream.advance();
   const Nested nested(stream, Nested::Kind::bracket);
   stream.expect("(");
   syntax::SplineData data;
+  data.merged = merged;
   data.control_points = expression(stream);
   stream.expect(",");
   stream.expect("degree");
@@ -176,6 +190,10 @@ void spline(TokenStream& stream, Statement& statement) {
     data.degrees.push_back(stream.whole_number("a degree", 0, highest_degree));
     stream.expect(",");
   } while (stream.is(Token::Kind::number));
+  if (stream.accept("weights")) {
+    data.weights = expression(stream);
+    stream.expect(",");
+  }
   if (stream.accept("clamped")) {
     stream.expect("uniform");
   } else if (stream.accept("knots")) {

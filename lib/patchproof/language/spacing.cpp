@@ -19,10 +19,12 @@ Spacing::Role Spacing::role_of(const Token& token, std::string_view word) const 
   if (token.kind == Token::Kind::name) {
     const bool begins = token.first_on_line && begins_statement(word);
     if (begins || is_inner_keyword(word)) return Role::word;
-    // `degree (3, 3)` and `knots [0, 1]` are no calls; elsewhere the words are names like others.
+    // `degree (3, 3)`, `weights [1, 2]`, `knots [0, 1]` are no calls; elsewhere the words are names
+    // like others.
     const bool is_degree = word == "degree" && (last_ == ":" || keyword_ == "spline");
-    const bool is_knots = word == "knots" && keyword_ == "spline" && last_ == ",";
-    return is_degree || is_knots ? Role::word : Role::operand;
+    const bool is_part =
+        (word == "knots" || word == "weights") && keyword_ == "spline" && last_ == ",";
+    return is_degree || is_part ? Role::word : Role::operand;
   }
   if (token.kind != Token::Kind::sign) return Role::operand;
   if (is_one_of(word, "([")) return Role::open;

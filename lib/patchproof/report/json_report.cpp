@@ -1,6 +1,7 @@
 #include <patchproof/report/json_report.hpp>
 
 #include <patchproof/report/audit_json.hpp>
+#include <patchproof/report/excerpt.hpp>
 #include <patchproof/report/json_parts.hpp>
 #include <patchproof/report/summary.hpp>
 #include <patchproof/version.hpp>
@@ -9,9 +10,9 @@ namespace patchproof {
 
 namespace {
 
-std::string as_written(const Span& span) {
-  if (!span.source || span.begin >= span.end) return "";
-  return span.source->text.substr(span.begin, span.end - span.begin);
+Json to_json(const Subdivision& tree) {
+  if (tree.boxes == 0) return nullptr;
+  return {{"boxes", tree.boxes}, {"depth", tree.depth}};
 }
 
 Json to_json(const Case& of, const ClaimResult& result) {
@@ -33,11 +34,24 @@ Json to_json(const Case& of, const ClaimResult& result) {
   object["reason"] = text_or_null(decision.reason);
   object["conditions"] = decision.conditions;
   object["witness"] = witness_of(decision);
+  object["subdivision"] = to_json(decision.subdivision);
   object["residual"] = text_or_null(decision.residual);
   object["assumptions_used"] = decision.assumptions_used;
   object["derived"] = named_values(decision.derived);
   object["free"] = decision.free;
+  object["details"] = named_values(decision.details);
   object["note"] = text_or_null(claim.note);
+  return object;
+}
+
+Json to_json(const JointReport& joint) {
+  Json object;
+  object["parametric"] = joint.parametric ? Json(*joint.parametric) : Json{};
+  object["one_polynomial"] = joint.one_polynomial;
+  object["geometric"] = joint.geometric ? Json(*joint.geometric) : Json{};
+  object["next_parametric"] = text_or_null(joint.next_parametric);
+  object["next_geometric"] = text_or_null(joint.next_geometric);
+  object["conditions"] = joint.conditions;
   return object;
 }
 
@@ -46,8 +60,9 @@ Json to_json(const Case& of, const ShownResult& shown) {
   object["case"] = of.name;
   object["instance"] = text_or_null(shown.instance);
   add_place(shown.span, object);
-  object["term"] = shown.term;
+  object["term"] = shown.joint ? as_written(shown.joint->span) : shown.term;
   object["value"] = shown.value;
+  if (shown.joint) object["joint"] = to_json(*shown.joint);
   return object;
 }
 

@@ -7,6 +7,7 @@
 #include <patchproof/report/audit_text.hpp>
 #include <patchproof/report/claim_lines.hpp>
 #include <patchproof/report/colour.hpp>
+#include <patchproof/report/excerpt.hpp>
 #include <patchproof/report/finding.hpp>
 #include <patchproof/report/summary.hpp>
 #include <patchproof/report/verdict_words.hpp>
@@ -18,6 +19,17 @@ namespace {
 constexpr std::size_t widest_id = 60;
 /// Of a family, so many members are explained; the others are much like them.
 constexpr std::size_t most_findings_of_a_family = 3;
+
+// The words after `show`, in one line.
+std::string joint_as_written(const ShownResult& shown) {
+  const std::string all = as_written(shown.joint->span);
+  std::string text;
+  for (const char c : all) {
+    const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!blank || (!text.empty() && text.back() != ' ')) text += blank ? ' ' : c;
+  }
+  return printable(text);
+}
 
 class TextReport {
  public:
@@ -71,8 +83,9 @@ class TextReport {
     }
     for (const ClaimLine& line : lines_of(result)) claim_line(line);
     for (const ShownResult& shown : result.shown)
-      text_ += "  show  " + (shown.instance.empty() ? "" : shown.instance + "  ") + shown.term +
-               " = " + shown.value + "\n";
+      text_ += "  show  " + (shown.instance.empty() ? "" : shown.instance + "  ") +
+               (shown.joint ? joint_as_written(shown) + ": " : shown.term + " = ") + shown.value +
+               "\n";
   }
 
   void claim_line(const ClaimLine& line) {
@@ -100,11 +113,16 @@ class TextReport {
     for (const std::string& label : decision.assumptions_used)
       used += (used.empty() ? ", using " : ", ") + label;
     text_ += used + "\n";
+    if (const std::string tree = in_words(decision.subdivision); !tree.empty())
+      text_ += "      " + tree + "\n";
     for (const auto& [name, value] : decision.derived)
       text_ += "      " + name + " = " + value + "\n";
+    for (const auto& [name, value] : decision.details)
+      text_ += "      " + name + ": " + value + "\n";
     if (decision.verdict != Verdict::refuted) return;
     text_ += "      false for " + in_words(decision.witness) + ": left side " +
              decision.witness.left + ", right side " + decision.witness.right + "\n";
+    if (!decision.reason.empty()) text_ += "      " + printable(decision.reason) + "\n";
   }
 
   void findings(const CaseResult& result) {
