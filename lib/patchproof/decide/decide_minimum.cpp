@@ -65,7 +65,7 @@ class Minimum {
     return proof(form);
   }
 
-  // The difference of the functional as both engines should see it.
+  // The values of the functional as both engines should see them.
   const Goal& cross_check() const { return cross_check_; }
 
  private:
@@ -89,7 +89,7 @@ class Minimum {
                                : "not unique: " + std::to_string(size - form.pivots.size()) +
                                      " directions do not change the value"}};
     if (form.pivots.empty()) result.details.erase(result.details.begin() + 1);
-    cross_check_ = search_.difference_as_claim();
+    cross_check_ = search_.values_as_claim();
     return result;
   }
 
@@ -169,8 +169,18 @@ class Minimum {
       result.evidence = Evidence::kernel;
       result.reason.clear();
       result.witness = {in_words(*witness), check.left, check.right, ""};
+      cross_check_ = values_at(*witness);
       return result;
     }
+    return result;
+  }
+
+  // The functional with the witness put in, and the constraints there.
+  Goal values_at(const Witness& witness) {
+    const MinimumGoal numeric = with_values(witness.values, {});
+    Goal result = MinimumSearch{numeric, workspace_}.values_as_claim();
+    result.statements.insert(result.statements.end(), numeric.constraints.begin(),
+                             numeric.constraints.end());
     return result;
   }
 
@@ -182,31 +192,35 @@ class Minimum {
   }
 
   std::optional<std::vector<KnownValue>> better_competitor(const Witness& witness) {
-    std::map<unsigned, Term> images;
-    for (const KnownValue& value : witness.values)
-      images.emplace(value.symbol->ordinal, value.value);
-    for (const SymbolPointer& unknown : goal_.unknowns) images.erase(unknown->ordinal);
-    // Equations are for all parameters: only the functional itself is taken at their values.
-    std::map<unsigned, Term> constants = images;
-    for (const ParameterRange& range : goal_.goal.ranges) constants.erase(range.parameter->ordinal);
-    const auto put_in = [](Statement s, const std::map<unsigned, Term>& values) {
-      s.left = replaced(s.left, values);
-      s.right = replaced(s.right, values);
-      return s;
-    };
-    MinimumGoal numeric = goal_;
-    numeric.goal.assumptions.clear();
-    for (Statement& s : numeric.goal.statements) s = put_in(s, images);
-    for (Statement& s : numeric.constraints) s = put_in(s, constants);
-    numeric.membership = put_in(numeric.membership, constants);
-    for (ParameterRange& range : numeric.goal.ranges) {
-      range.lower = replaced(range.lower, constants);
-      range.upper = replaced(range.upper, constants);
-    }
-    for (KnownValue& known : numeric.goal.known) known.value = replaced(known.value, constants);
+    const MinimumGoal numeric = with_values(witness.values, goal_.unknowns);
     MinimumSearch search{numeric, workspace_};
     if (!search.set_up().empty()) return std::nullopt;
     return search.better_competitor();
+  }
+
+  // The goal with numbers and polynomials put in, apart from what stays open.
+  MinimumGoal with_values(const std::vector<KnownValue>& values,
+                          const std::vector<SymbolPointer>& open) const {
+    std::map<unsigned, Term> images;
+    for (const KnownValue& value : values) images.emplace(value.symbol->ordinal, value.value);
+    for (const SymbolPointer& symbol : open) images.erase(symbol->ordinal);
+    // Equations are for all parameters.
+    for (const ParameterRange& range : goal_.goal.ranges) images.erase(range.parameter->ordinal);
+    const auto put_in = [&](Statement& s) {
+      s.left = replaced(s.left, images);
+      s.right = replaced(s.right, images);
+    };
+    MinimumGoal result = goal_;
+    result.goal.assumptions.clear();
+    for (Statement& s : result.goal.statements) put_in(s);
+    for (Statement& s : result.constraints) put_in(s);
+    put_in(result.membership);
+    for (ParameterRange& range : result.goal.ranges) {
+      range.lower = replaced(range.lower, images);
+      range.upper = replaced(range.upper, images);
+    }
+    for (KnownValue& known : result.goal.known) known.value = replaced(known.value, images);
+    return result;
   }
 
   const MinimumGoal& goal_;
@@ -225,15 +239,14 @@ Decision minimum(const MinimumGoal& goal, const Limits& limits, Engines engines)
     cross_check = minimum.cross_check();
     return decision;
   });
-  const bool proved = result.verdict == Verdict::proved || result.verdict == Verdict::proved_if;
-  if (!proved || engines != Engines::both) return result;
+  if (cross_check.statements.empty() || engines != Engines::both) return result;
   const SecondOpinion opinion = second_opinion(cross_check, limits);
   if (opinion.answer == SecondOpinion::Answer::holds) result.evidence = Evidence::both_engines;
   if (opinion.answer == SecondOpinion::Answer::fails) {
     result.verdict = Verdict::internal;
     result.evidence = Evidence::none;
     result.reason =
-        "the engines disagree about the change of the functional: " + opinion.normal_form;
+        "the engines disagree about the functional: " + opinion.normal_form;
   }
   return result;
 }

@@ -245,19 +245,15 @@ std::optional<std::vector<KnownValue>> MinimumSearch::values(
   return result;
 }
 
-Goal MinimumSearch::difference_as_claim() {
-  const Statement& given = goal_.goal.statements.front();
-  std::vector<Fraction> coordinates;
-  for (std::size_t k = 0; k < variables_.size(); ++k) coordinates.push_back(moved(k));
-  const auto images = values(coordinates);
-  if (!images) throw OutsideTheory{"control points of any dimension"};
-  std::map<unsigned, Term> replacements;
-  for (const KnownValue& image : *images) replacements.emplace(image.symbol->ordinal, image.value);
-  const Term change = scalar_term(Fraction{difference_}, workspace_.atoms);
+Goal MinimumSearch::values_as_claim() {
+  const Statement given = goal_.goal.statements.front();
   Goal result = goal_.goal;
-  result.statements = {{replaced(given.right, replacements), Relation::equal,
-                        make_term(Operation::sum, Type::scalar(), {given.left, change}),
-                        given.span}};
+  result.statements.clear();
+  for (const Term& side : {given.left, given.right}) {
+    const Fraction& value = evaluator_.value(side).components.front();
+    result.statements.push_back(
+        {side, Relation::equal, scalar_term(value, workspace_.atoms), given.span});
+  }
   return result;
 }
 

@@ -36,8 +36,9 @@ class MinimumSearch {
   /// When there are no symbols but the unknowns: values for them with a smaller functional.
   std::optional<std::vector<KnownValue>> better_competitor();
 
-  /// value(candidate + directions * y) == value(candidate) + polynomial, as a claim about terms.
-  Goal difference_as_claim();
+  /// The functional of the competitor and that of the candidate, each equal to the polynomial that was
+  /// worked out for it: what the second engine can check.
+  Goal values_as_claim();
 
  private:
   std::string place_candidate();

@@ -101,16 +101,15 @@ class Dumper {
     return result;
   }
 
+  Json json(const RangeBinder& binder) const {
+    Json result = json(binder.name);
+    result["range"] = json(binder.range);
+    return result;
+  }
   Json json(const Argument& argument) const {
     if (argument.binder) return json(*argument.binder);
     if (argument.interval) return json(*argument.interval);
-    if (argument.range) {
-      Json result = node("variable", argument.range->name.span);
-      result["name"] = argument.range->name.text;
-      result["range"] = json(argument.range->range);
-      return result;
-    }
-    return json(argument.value);
+    return argument.range ? json(*argument.range) : json(argument.value);
   }
 
   Json json(const ExpressionPointer& pointer) const {
@@ -242,8 +241,8 @@ class Dumper {
     add(result, "binders", statement.binders);
     add(result, "label", statement.label);
     add(result, "unknowns", statement.unknowns);
-    add_stated(result, statement.kind == Kind::derive ? "from" : "proposition",
-               statement.proposition);
+    const char* stated = statement.kind == Kind::derive ? "from" : "proposition";
+    add_stated(result, stated, statement.proposition);
     add_stated(result, "printed", statement.printed);
     add_stated(result, "corrected", statement.corrected);
     add(result, "gives", statement.gives);

@@ -117,7 +117,7 @@ Node primary(TokenStream& stream) {
 }
 
 /// One argument of a call: an expression, `i in 0..3` or `u in [0, 1]`.
-Argument call_argument(TokenStream& stream) {
+Argument call_argument(TokenStream& stream, const Expression& callee) {
   Argument result;
   if (!stream.is(Token::Kind::name) || !stream.is("in", 1)) {
     result.value = sum(stream);
@@ -126,7 +126,7 @@ Argument call_argument(TokenStream& stream) {
   syntax::Binder binder;
   binder.name = stream.name();
   stream.expect("in");
-  if (stream.is("[")) {
+  if (stream.is("[") && callee.kind == Kind::name && callee.text == "integral") {
     result.range = syntax::RangeBinder{std::move(binder.name), range(stream)};
     return result;
   }
@@ -177,7 +177,7 @@ Node postfix(TokenStream& stream) {
       const std::string_view close = is_call ? ")" : "]";
       if (!is_call || !stream.is(close)) {
         do {
-          outer->arguments.push_back(is_call ? call_argument(stream)
+          outer->arguments.push_back(is_call ? call_argument(stream, *result)
                                              : index_argument(stream));
         } while (stream.accept(","));
       }
