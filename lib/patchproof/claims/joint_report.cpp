@@ -11,6 +11,12 @@ namespace patchproof {
 namespace {
 
 constexpr int highest_order = 12;
+constexpr std::size_t longest_difference = 300;
+
+std::string shortened(const std::string& text) {
+  if (text.size() <= longest_difference) return text;
+  return text.substr(0, text.rfind(' ', longest_difference)) + " …";
+}
 
 class Asking {
  public:
@@ -52,8 +58,10 @@ class Asking {
     const std::string where =
         decision.witness.component.empty() ? "" : " in " + decision.witness.component;
     const bool equation = statements[decision.statement].relation == Relation::equal;
-    if (equation) return "not " + order + ": left - right = " + decision.residual + where;
-    return "not " + order + ": no alpha > 0, as " + decision.residual + " is not positive";
+    if (equation)
+      return "not " + order + ": left - right = " + shortened(decision.residual) + where;
+    return "not " + order + ": no alpha > 0, as " + shortened(decision.residual) +
+           " is not positive";
   }
 
   void parametric() {

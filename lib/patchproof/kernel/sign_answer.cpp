@@ -187,6 +187,15 @@ SignAnswer SignFacts::sign_by_boxes(const Polynomial& polynomial, bool strict,
   if (box.size() < polynomial.variables().size())
     return sign_with_symbols(polynomial, box, strict, budget);
   BoxSign found = sign_over_box(polynomial, box, strict, budget);
+  if (strict && found.answer == BoxSign::Answer::fails) {
+    // The zero may lie at an end of an interval that the assumptions leave out.
+    Box declared = box;
+    std::erase_if(declared, [&](const auto& side) { return !intervals_.contains(side.first); });
+    if (!declared.empty() && declared.size() < box.size()) {
+      SignAnswer answer = sign_with_symbols(polynomial, declared, strict, budget);
+      if (answer.shown()) return answer;
+    }
+  }
   SignAnswer result{Kind::shown, found.tree, std::move(found.point)};
   if (found.answer == BoxSign::Answer::open) result.kind = Kind::undecided;
   if (found.answer != BoxSign::Answer::fails) return result;
