@@ -12,9 +12,9 @@ namespace patchproof {
 
 namespace {
 
-constexpr unsigned deepest = 60;
+constexpr unsigned deepest = 44;
 constexpr unsigned most_charts = 3;
-constexpr std::size_t most_coefficients_kept = 1'000'000;
+constexpr std::size_t most_coefficients_kept = 400'000;
 
 // One box of the tree.
 struct Part {
