@@ -9,7 +9,7 @@ build         := cmake --build -j $(shell nproc) --preset
 run_tests     := ctest -j $(shell nproc) --preset
 
 .PHONY: help verify program test test-release test-sanitize test-clang test-fuzz \
-        packages test-packages with-tests format clean
+        packages test-packages with-tests claims format clean
 .DEFAULT_GOAL := help
 # One step after the other under any -j; the steps themselves use all processors.
 .NOTPARALLEL:
@@ -18,6 +18,7 @@ help:
 	@echo 'make verify   build the program and decide every case in cases/'
 	@echo 'make test     run every test: plain, with sanitizers, with clang, and a short fuzz run'
 	@echo 'make program  only build $(program)'
+	@echo 'make claims   write docs/claims.md anew: every item of the notes with its verdicts'
 	@echo 'make format   format the sources'
 	@echo 'make clean    delete build/'
 
@@ -60,6 +61,10 @@ build/%/build.ninja: CMakePresets.json | packages
 with-tests: build/release/build.ninja
 	@grep -q '^BUILD_TESTING:BOOL=ON' build/release/CMakeCache.txt || \
 	  cmake --preset release -DBUILD_TESTING=ON
+
+claims: test-packages with-tests
+	@$(build) release
+	@PATCHPROOF_WRITE_CLAIMS=1 build/release/tests/unit_tests '[#docs/claims]'
 
 format:
 	@cmake/install_packages clang-format

@@ -4,7 +4,9 @@ include(CMakePackageConfigHelpers)
 install(TARGETS patchproof_program)
 install(TARGETS patchproof EXPORT patchproof_targets)
 install(DIRECTORY lib/patchproof ${generated}/patchproof TYPE INCLUDE
-  FILES_MATCHING PATTERN *.hpp PATTERN prelude EXCLUDE)
+  # Users of the library need no JSON library.
+  FILES_MATCHING PATTERN *.hpp PATTERN prelude EXCLUDE PATTERN json_parts.hpp EXCLUDE
+  PATTERN audit_json.hpp EXCLUDE)
 install(FILES LICENSE TYPE DOC)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/patchproof)

@@ -45,9 +45,12 @@ std::set<std::string> format_names() {
 
 }  // namespace
 
+CLI::Validator whole_number() { return {whole_number_fault, "", "whole number"}; }
+CLI::Validator number_of_seconds() { return {seconds_fault, "", "seconds"}; }
+
 void declare(CLI::App& command, CheckArguments& a) {
-  const CLI::Validator whole{whole_number_fault, "", "whole number"};
-  const CLI::Validator seconds{seconds_fault, "", "seconds"};
+  const CLI::Validator whole = whole_number();
+  const CLI::Validator seconds = number_of_seconds();
   const auto option = [&](const std::string& name, auto& value, const std::string& what,
                           const std::string& type) {
     return command.add_option(name, value, what)->option_text(type);
@@ -63,6 +66,9 @@ void declare(CLI::App& command, CheckArguments& a) {
       ->check(CLI::IsMember(format_names()));
   option("--output", a.output, "Write the report to a file", "FILE");
   command.add_flag("--strict", a.strict, "Claims that hold only under conditions are not enough");
+  command.add_flag("--audit", a.audit,
+                   "Also say which claims need which assumptions; one that nothing needs is a "
+                   "finding");
   command.add_flag("--list", a.list, "List the claims and what is expected; decide nothing");
   CLI::Option* quiet =
       command.add_flag("-q,--quiet", a.quiet, "Only what needs attention, and the summary");
@@ -77,7 +83,8 @@ void declare(CLI::App& command, CheckArguments& a) {
   option("--limit-steps", a.steps, "Arithmetic steps for a claim; 0: no limit", "N")->check(whole);
   option("--limit-terms", a.terms, "Terms of one polynomial; 0: no limit", "N")->check(whole);
   command.footer(
-      "Ends with 0 when every claim is decided as expected, 1 when one is decided otherwise,\n"
+      "Ends with 0 when every claim is decided as expected, 1 when one is decided otherwise\n"
+      "(with --audit also for an assumption that nothing needs),\n"
       "2 when one is not decided, 3 for contradictory assumptions (with --strict also for\n"
       "conditions), 4 for mistakes in a text, 5 when there is no claim, 64 for a wrong command\n"
       "line, 70 for a fault of the program.\n\n"
@@ -87,6 +94,7 @@ void declare(CLI::App& command, CheckArguments& a) {
 CheckOptions options_of(const CheckArguments& arguments) {
   CheckOptions options;
   options.strict = arguments.strict;
+  options.audit = arguments.audit;
   options.engines = arguments.engines == "both" ? Engines::both : Engines::kernel;
   Limits& limits = options.limits;
   if (!arguments.seconds.empty()) limits.time = milliseconds(arguments.seconds);

@@ -21,6 +21,7 @@ struct CheckArguments {
   std::string steps;
   std::string terms;
   bool strict = false;
+  bool audit = false;
   bool list = false;
   bool quiet = false;
   bool verbose = false;
@@ -28,6 +29,10 @@ struct CheckArguments {
 
 /// Tells the command about its options, which are put into the arguments.
 void declare(CLI::App& command, CheckArguments& arguments);
+
+/// What a whole number, and a number of seconds, may look like on the command line.
+CLI::Validator whole_number();
+CLI::Validator number_of_seconds();
 
 /// What the arguments mean for the library.
 CheckOptions options_of(const CheckArguments& arguments);

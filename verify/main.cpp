@@ -47,6 +47,7 @@ int run(int argument_count, char* arguments[]) {
   program.require_subcommand(1);
   ExitCode result = ExitCode::internal;
   add_check(program, result);
+  add_repair(program, result);
   add_format(program, result);
   add_definitions(program, result);
   add_dump(program, result);

@@ -80,8 +80,12 @@ Report decided(const std::vector<CaseFile>& files, const CheckOptions& options) 
   report.strict = options.strict;
   for (const CaseFile& file : files) {
     FileReport result{file.path, file.unreadable, file.diagnostics, {}};
-    for (const Case& given : file.cases)
-      if (any_wanted(given, options)) result.cases.push_back(decided(given, options));
+    for (const Case& given : file.cases) {
+      if (!any_wanted(given, options)) continue;
+      result.cases.push_back(decided(given, options));
+      if (options.audit && !given.assumptions.empty())
+        result.audits.push_back(audited(given, result.cases.back()));
+    }
     report.files.push_back(std::move(result));
   }
   return report;

@@ -51,6 +51,8 @@ struct CheckOptions {
   Engines engines = Engines::both;
   /// Claims that hold only under conditions are not good enough.
   bool strict = false;
+  /// Find out what the assumptions of each case are for.
+  bool audit = false;
   /// Gives the texts of included files; without it no file can be included.
   Loader load;
   /// Which claims are to be decided; empty: all. Cases without any are left out.

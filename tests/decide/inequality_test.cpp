@@ -54,9 +54,9 @@ chain REFUTED
 TEST_CASE("an inequality that is not decided is unknown, and says why") {
   CHECK(verdicts(R"~(
   scalar x, y
-  open square: x^2 + y^2 >= 2*x*y
+  open motzkin: x^4*y^2 + x^2*y^4 + 1 >= 3*x^2*y^2
   open sine: sin(x) <= 1
-)~") == "square UNKNOWN " + neither + "\nsine UNKNOWN " + neither + "\n");
+)~") == "motzkin UNKNOWN " + neither + "\nsine UNKNOWN " + neither + "\n");
 }
 
 TEST_CASE("a chain of comparisons is one claim") {
@@ -77,6 +77,17 @@ TEST_CASE("an inequality may restrict a parameter") {
   prove inverse: 1/(1 - u) > 0
   refute more: u <= 1/3
 )~") == "half PROVED uses left\ninverse PROVED uses left\nmore REFUTED\n");
+}
+
+// The witness has to name v, although no statement does.
+TEST_CASE("an inequality about a parameter that a claim does not name leaves the claim decidable") {
+  CHECK(verdicts(R"~(
+  param u, v in [0, 1]
+  scalar f(u) : C^0
+  assume inside: u > 0, v > 0, v < 1
+  prove quotient: u*f(u)/u == f(u)
+  refute zero: f(u) == 0
+)~") == "quotient PROVED uses inside\nzero REFUTED\n");
 }
 
 }  // namespace patchproof

@@ -217,7 +217,7 @@ end
         R"~(bad.proof:1:14: error: expected a type, found 'mapping'
      1 | define f(u : mapping) : scalar
        |              ^^^^^^^
-       = help: types are scalar, scalar function, point, curve(u), patch(u, v), net, matrix, list and spline
+       = help: types are scalar, scalar function, point, curve(u), patch(u, v), volume(u, v, w), net, matrix, list and spline
 )~");
   CHECK(messages_of(R"~(define f(u : scalar) : scalar
 end

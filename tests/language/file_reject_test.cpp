@@ -103,11 +103,11 @@ end
      1 | case
        |     ^
 )~");
-  CHECK(messages_of(R"~(case a.3
+  CHECK(messages_of(R"~(case a.?
 end
 )~") ==
-        R"~(bad.proof:1:8: error: expected a name after '.', found '3'
-     1 | case a.3
+        R"~(bad.proof:1:8: error: expected a name after '.', found '?'
+     1 | case a.?
        |        ^
 )~");
   CHECK(messages_of(R"~(case a

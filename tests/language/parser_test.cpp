@@ -165,6 +165,13 @@ TEST_CASE("claims and assumptions are read with their comparisons", "[language]"
   CHECK(erratum.note == "sign");
 }
 
+TEST_CASE("the parts of the name of a case may be numbers, but not the first", "[language]") {
+  const Parsed parsed = parse(source_of("case cz.twist.00\nend\ncase a.1.2.b\nend\n"));
+  REQUIRE(parsed.file.cases.size() == 2);
+  CHECK(parsed.file.cases[0].name.text == "cz.twist.00");
+  CHECK(parsed.file.cases[1].name.text == "a.1.2.b");
+}
+
 TEST_CASE("the source of a case has a language, a section and a page", "[language]") {
   const Statement source = statement_of("source \"Záplaty\" lang sk\n  section \"2\" page 12");
   CHECK(source.text == "Záplaty");

@@ -147,6 +147,54 @@ bad.proof:17:30: error: 'tt' is not a parameter of 'p', a curve(t)
 )~");
 }
 
+TEST_CASE("a G^k joint has the order, the values and the functions it needs",
+          "[language][reject]") {
+  CHECK(type_messages(R"~(  param t in [0, 1]
+  curve p(t), q(t)
+  curve flat(t) = (t, 0)
+  patch r(u, v)
+  scalar k
+  prove a: G^3 joint of flat at t = 1 and flat at t = 0
+  prove b: G^1 joint of p at t = 1 and q at t = 0
+  prove c: G^1 joint of p at t = 1 and q at t = 0 with k, k
+  prove d: G^2 joint of r at v = 1 and r at v = 0 with k, k
+  prove e: G^1 joint of p at t = 1 and q at t = 0 with p
+  prove f: G^0 joint of p at t = 1 and q at t = 0 with k
+  prove g: G^1 joint of flat at t = 1 and q at t = 0
+  derive k: k from G^1 joint of p at t = 1 and q at t = 0 with k
+)~") ==
+        R"~(bad.proof:7:12: error: the order of a G^k joint is at most 2
+     7 |   prove a: G^3 joint of flat at t = 1 and flat at t = 0
+       |            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+       = help: higher orders can be written out as equations
+bad.proof:8:12: error: a G^k joint without its connecting functions needs curves or patches in R^2 or R^3, and the values here are a point
+     8 |   prove b: G^1 joint of p at t = 1 and q at t = 0
+       |            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+       = help: give the functions: 'with alpha, gamma'; or declare the dimension: 'point V[0..3] in R^3'
+bad.proof:9:56: error: a G^1 joint of curves has 1 connecting function, not 2
+     9 |   prove c: G^1 joint of p at t = 1 and q at t = 0 with k, k
+       |                                                        ^
+       = help: alpha of order 1, then beta of order 2
+bad.proof:10:56: error: a G^2 joint of patches has 4 connecting functions, not 2
+    10 |   prove d: G^2 joint of r at v = 1 and r at v = 0 with k, k
+       |                                                        ^
+       = help: alpha, gamma of order 1, then beta, delta of order 2
+bad.proof:11:56: error: a connecting function has to be a scalar, not a point
+    11 |   prove e: G^1 joint of p at t = 1 and q at t = 0 with p
+       |                                                        ^
+bad.proof:12:56: error: a G^0 joint of curves has 0 connecting functions, not 1
+    12 |   prove f: G^0 joint of p at t = 1 and q at t = 0 with k
+       |                                                        ^
+       = help: leave 'with' out
+bad.proof:13:12: error: the two sides of a joint have values of one type, and these are a point in R^2 and a point
+    13 |   prove g: G^1 joint of flat at t = 1 and q at t = 0
+       |            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+bad.proof:14:20: error: unknowns are derived from equations, written '=='
+    14 |   derive k: k from G^1 joint of p at t = 1 and q at t = 0 with k
+       |                    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+)~");
+}
+
 TEST_CASE("'using' names a derivation above", "[language][reject]") {
   CHECK(type_messages(R"~(  scalar x
   derive found: x from x == 1

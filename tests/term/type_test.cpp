@@ -20,7 +20,7 @@ TEST_CASE("types are named as in a textbook") {
   CHECK(to_text(Type::function({"u", "v"}, space)) == "patch(u, v)");
   CHECK(to_text(Type::function({"t"}, Type::scalar())) == "scalar function(t)");
   CHECK(to_text(Type::function({"u", "v"}, Type::scalar())) == "scalar function(u, v)");
-  CHECK(to_text(Type::function({"u", "v", "w"}, any)) == "function(u, v, w)");
+  CHECK(to_text(Type::function({"u", "v", "w"}, any)) == "volume(u, v, w)");
   CHECK(to_text(Type::function({"t"}, Type::matrix(2, 2, any))) == "matrix function(t)");
 }
 

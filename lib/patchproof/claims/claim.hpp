@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <patchproof/algebra/budget.hpp>
+#include <patchproof/claims/joint.hpp>
 #include <patchproof/decide/decision.hpp>
 #include <patchproof/term/goal.hpp>
 
@@ -33,6 +34,11 @@ struct DeriveClaim {
   std::vector<SymbolPointer> leaves;
 };
 
+/// A candidate that is said to have the least value of a functional among its competitors.
+struct MinimumClaim {
+  MinimumGoal goal;
+};
+
 /// One thing to be decided. Instances of a family share label and span and differ in `instance`.
 struct Claim {
   std::string label;
@@ -48,14 +54,25 @@ struct Claim {
   std::vector<std::string> uses;
   /// Erratum: the note of its author.
   std::string note;
-  std::variant<IdentityClaim, DeriveClaim> kind;
+  std::variant<IdentityClaim, DeriveClaim, MinimumClaim> kind;
 };
 
-/// A term whose normal form is printed, without any verdict.
+/// A joint whose smoothness is asked for.
+struct JointQuestion {
+  JointEdge first;
+  JointEdge second;
+  std::vector<Term> along;
+  /// The assumptions and ranges, without statements.
+  Goal given;
+  Span span;
+};
+
+/// A term whose normal form is printed, or a joint that is described, without any verdict.
 struct Shown {
   Span span;
   std::string instance;
   Term term;
+  std::optional<JointQuestion> joint;
 };
 
 /// Where a case comes from.
@@ -64,6 +81,19 @@ struct Source {
   std::string language;
   std::string section;
   std::string page;
+};
+
+/// One `assume` as written. Its relations are one after the other among the assumptions of the
+/// claims below it.
+struct WrittenAssumption {
+  /// "" where the author gave none.
+  std::string label;
+  /// Index of the first relation, and how many there are.
+  std::size_t first = 0;
+  std::size_t count = 0;
+  Span span;
+  /// Why it is there although no proof needs it; "" where the author does not say.
+  std::string note;
 };
 
 /// A case as read: everything typed, nothing decided.
@@ -75,6 +105,8 @@ struct Case {
   std::vector<std::string> tags;
   Limits limits;
   Span span;
+  /// Those of the first instance of a family.
+  std::vector<WrittenAssumption> assumptions;
   std::vector<Claim> claims;
   std::vector<Shown> shown;
 };

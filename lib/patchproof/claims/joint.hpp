@@ -14,6 +14,14 @@ struct JointEdge {
   bool at_end = true;        ///< the upper end, not the lower one
 };
 
+/// A partial derivative at the edge: `across` times in the parameter that is fixed there, `beside`
+/// times in the one along the edge (patches).
+///
+/// `along` are terms for the parameters along the edge (none for curves). With `reversed` the
+/// direction across the edge is turned round, so that odd derivatives across change their sign.
+Term edge_derivative(const JointEdge& edge, int across, int beside, bool reversed,
+                     const std::vector<Term>& along, const Span& span);
+
 /// The equations of a C^order joint: positions and derivatives across the edge agree, up to the
 /// order, for all values of the parameters along the edge.
 ///

@@ -77,6 +77,16 @@ Decision decide_derive(const DeriveClaim& claim, const std::vector<KnownValue>& 
   return solved(goal, claim.gives, claim.leaves, given.limits, engines);
 }
 
+Decision decide_minimum(const MinimumClaim& claim, const std::vector<KnownValue>& known,
+                        const std::vector<Assumption>& agreements, const Case& given,
+                        Engines engines) {
+  MinimumGoal goal = claim.goal;
+  goal.goal.known = known;
+  std::vector<Assumption>& assumptions = goal.goal.assumptions;
+  assumptions.insert(assumptions.end(), agreements.begin(), agreements.end());
+  return minimum(goal, given.limits, engines);
+}
+
 Decision decide(const Claim& claim, const Derivations& derivations, const Case& given,
                 Engines engines) {
   std::vector<KnownValue> known;
@@ -102,11 +112,17 @@ Decision decide(const Claim& claim, const Derivations& derivations, const Case& 
     }
     conditions.insert(conditions.end(), handed.conditions.begin(), handed.conditions.end());
   }
-  Decision result =
-      std::holds_alternative<IdentityClaim>(claim.kind)
-          ? decide_identity(std::get<IdentityClaim>(claim.kind), known, agreements, given,
-                            engines)
-          : decide_derive(std::get<DeriveClaim>(claim.kind), known, agreements, given, engines);
+  Decision result = std::visit(
+      [&](const auto& kind) {
+        using Kind = std::decay_t<decltype(kind)>;
+        if constexpr (std::is_same_v<Kind, IdentityClaim>)
+          return decide_identity(kind, known, agreements, given, engines);
+        else if constexpr (std::is_same_v<Kind, DeriveClaim>)
+          return decide_derive(kind, known, agreements, given, engines);
+        else
+          return decide_minimum(kind, known, agreements, given, engines);
+      },
+      claim.kind);
   // What the derivation needs, everything built on it needs as well.
   if (result.verdict == Verdict::proved && !conditions.empty()) result.verdict = Verdict::proved_if;
   for (const std::string& condition : conditions)
@@ -139,9 +155,17 @@ CaseResult verified(const Case& given, const VerificationOptions& options) {
     }
     if (wanted) result.claims.push_back(std::move(decided_claim));
   }
-  for (const Shown& shown : given.shown)
-    result.shown.push_back({shown.span, shown.instance, to_text(shown.term),
-                            normal_form_in_words(shown.term, given.limits)});
+  for (const Shown& shown : given.shown) {
+    ShownResult item{shown.span, shown.instance, "", "", std::nullopt};
+    if (shown.joint) {
+      item.joint = joint_report(*shown.joint, given.limits);
+      item.value = in_words(*item.joint);
+    } else {
+      item.term = to_text(shown.term);
+      item.value = normal_form_in_words(shown.term, given.limits);
+    }
+    result.shown.push_back(std::move(item));
+  }
   return result;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <patchproof/claims/claim.hpp>
+#include <patchproof/claims/joint_report.hpp>
 
 namespace patchproof {
 
@@ -26,12 +28,14 @@ struct ClaimResult {
   std::chrono::microseconds time{0};
 };
 
-/// What `show` asked for: the term as written and its normal form, or why it has none.
+/// What `show` asked for: the term as written and its normal form, or why it has none; of a joint
+/// what is known of it, in words in `value`.
 struct ShownResult {
   Span span;
   std::string instance;
   std::string term;
   std::string value;
+  std::optional<JointReport> joint;
 };
 
 /// A case with all its claims decided, in the order written.

@@ -20,4 +20,13 @@ Decision decided(const Goal& goal, const Limits& limits, Engines engines);
 Decision solved(const SolveGoal& goal, const std::vector<Statement>& gives,
                 const std::vector<SymbolPointer>& leaves, const Limits& limits, Engines engines);
 
+/// Decides whether the candidate has the least value of a functional that is quadratic in the
+/// control points of the competitor.
+///
+/// Proved when the linear part of the difference vanishes and the Hessian is positive semidefinite
+/// on the competitors; then `details` tells the size of the Hessian, its pivots, and whether the
+/// minimiser is unique. Refuted by a competitor of smaller value. Error when the candidate is none
+/// of the competitors.
+Decision minimum(const MinimumGoal& goal, const Limits& limits, Engines engines);
+
 }  // namespace patchproof

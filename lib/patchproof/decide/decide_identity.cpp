@@ -2,6 +2,7 @@
 
 #include <patchproof/decide/decide.hpp>
 #include <patchproof/decide/guard.hpp>
+#include <patchproof/decide/sign_words.hpp>
 #include <patchproof/decide/witness_words.hpp>
 #include <patchproof/kernel/identity.hpp>
 #include <patchproof/kernel/readable.hpp>
@@ -46,6 +47,7 @@ class Identity {
     result.evidence = Evidence::kernel;
     result.conditions = in_words(found.conditions, workspace_);
     result.assumptions_used = used(found);
+    result.subdivision = found.tree;
     return result;
   }
 
@@ -113,7 +115,8 @@ class Identity {
     if (found.outcome == Finding::Outcome::fails)
       target.not_zero.push_back(found.residual.numerator());
     else
-      violate(goal_.statements[found.statement].relation, found.residual.numerator(), target);
+      violate(found, target);
+    target.preferred = found.sign.point;
     std::string why;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       const std::optional<Witness> witness =
@@ -128,16 +131,14 @@ class Identity {
   }
 
   // What has to be true for an inequality to fail.
-  static void violate(Relation relation, const Polynomial& d, WitnessTarget& target) {
-    switch (relation) {
-      case Relation::less: target.inequalities.push_back({d, false}); break;
-      case Relation::less_equal: target.inequalities.push_back({d, true}); break;
-      case Relation::greater: target.inequalities.push_back({scaled(d, -1), false}); break;
-      case Relation::greater_equal: target.inequalities.push_back({scaled(d, -1), true}); break;
-      default:
-        target.inequalities.push_back({d, false});
-        target.inequalities.push_back({scaled(d, -1), false});
-        break;
+  static void violate(const Finding& found, WitnessTarget& target) {
+    const Polynomial& d = found.residual.numerator();
+    if (found.asked) {
+      target.inequalities.push_back({scaled(found.asked->polynomial, -1), !found.asked->strict});
+    } else if (found.sign.kind != SignAnswer::Kind::zero &&
+               found.sign.kind != SignAnswer::Kind::only_zero) {
+      target.inequalities.push_back({d, false});
+      target.inequalities.push_back({scaled(d, -1), false});
     }
   }
 
@@ -150,14 +151,16 @@ class Identity {
     result.witness = {in_words(witness), check.left, check.right,
                       component_name(type, check.component)};
     result.residual = to_text(found.residual, workspace_.atoms, workspace_.budget);
+    if (check.statement == found.statement && found.outcome == Finding::Outcome::open)
+      result.reason = nowhere_worse(goal_.statements[found.statement].relation, found.sign,
+                                    workspace_);
     return result;
   }
 
   std::string undecided(const Finding& found, const std::string& why) {
     if (!hypotheses_.left_out().empty()) return hypotheses_.left_out().front();
     if (found.outcome == Finding::Outcome::open)
-      return "this inequality is neither shown by the methods of this version nor false at any of "
-             "the points tried";
+      return undecided_sign(goal_.statements[found.statement].relation, found.sign, workspace_);
     const std::string normal =
         to_text(found.residual, workspace_.atoms, workspace_.budget, 200);
     return "the difference " + normal + " was neither shown to be zero nor to differ from it" +

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <patchproof/algebra/sign_over_box.hpp>
 #include <patchproof/term/goal.hpp>
 
 namespace patchproof {
@@ -46,7 +47,8 @@ struct WitnessReport {
 struct Decision {
   Verdict verdict = Verdict::unknown;
   Evidence evidence = Evidence::none;
-  /// Unknown, error, internal: why. Inconsistent: the equation that cannot hold.
+  /// Unknown, error, internal: why. Inconsistent: the equation that cannot hold. Refuted: what is
+  /// known beyond the witness, where an inequality is nowhere false but for its strictness.
   std::string reason;
   /// Error: where.
   Span span;
@@ -59,11 +61,15 @@ struct Decision {
   std::size_t statement = 0;
   /// Labels of assumptions without which the proof does not go through, in order.
   std::vector<std::string> assumptions_used;
+  /// Proved: the boxes on which inequalities were decided; none where other facts were enough.
+  Subdivision subdivision;
   /// Derive: the solution for each unknown that has one, in words and as values.
   std::vector<std::pair<std::string, std::string>> derived;
   std::vector<KnownValue> solution;
   /// Derive: unknowns that stay arbitrary.
   std::vector<std::string> free;
+  /// Minimum: what the answer rests on, such as "Hessian" -> "4 x 4, positive definite".
+  std::vector<std::pair<std::string, std::string>> details;
 };
 
 /// Which engines to ask.

@@ -20,10 +20,12 @@ struct Atom {
     cosine,       ///< cos(argument)
     exponential,  ///< exp(argument)
     root,         ///< the square root, not negative, of the argument (a polynomial)
+    running,      ///< the k-th variable of an integral, bound there; arguments: lower, upper end
+    integral,     ///< the integral of the first argument over the variables that follow it
   };
   Kind kind = Kind::symbol;
   SymbolPointer symbol;             ///< symbol, jet, slot
-  int component = 0;                ///< symbol, jet; slot: which argument
+  int component = 0;                ///< symbol, jet; slot: which argument; running: which variable
   std::vector<int> orders;          ///< jet: order of the derivative in each argument
   std::vector<Fraction> arguments;  ///< jet: where; sine, cosine, exponential, root: of what
 

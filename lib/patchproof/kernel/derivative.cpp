@@ -1,5 +1,6 @@
 #include <numeric>
 
+#include <patchproof/kernel/integral.hpp>
 #include <patchproof/kernel/transformation.hpp>
 
 namespace patchproof {
@@ -47,6 +48,8 @@ class Derivation {
   Fraction of_atom(Variable v, const Atom atom) {
     if (atom.arguments.empty()) return {};
     if (atom.kind == Atom::Kind::jet) return of_jet(atom);
+    if (atom.kind == Atom::Kind::running) return {};
+    if (atom.kind == Atom::Kind::integral) return of_integral(atom);
     const Fraction inner = (*this)(atom.arguments.front());
     if (inner.is_zero()) return {};
     const Fraction self = Polynomial::variable(v);
@@ -80,6 +83,26 @@ class Derivation {
       result = sum(result,
                    product(Polynomial::variable(w_.atoms.variable(raised)), inner, w_.budget),
                    w_.budget);
+    }
+    return result;
+  }
+
+  // Leibniz: under the integral, and at the ends that move.
+  Fraction of_integral(const Atom& atom) {
+    const Fraction& integrand = atom.arguments.front();
+    const IntegrationRanges ranges = ranges_of(atom, w_.atoms);
+    Fraction result = integral((*this)(integrand), ranges, w_);
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+      IntegrationRanges others = ranges;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+      for (const bool upper : {true, false}) {
+        const Fraction& end = upper ? ranges[k].upper : ranges[k].lower;
+        const Fraction speed = (*this)(end);
+        if (speed.is_zero()) continue;
+        const Fraction there = Substitution{{{ranges[k].variable, end}}, w_}(integrand);
+        const Fraction moved = product(integral(there, others, w_), speed, w_.budget);
+        result = upper ? sum(result, moved, w_.budget) : difference(result, moved, w_.budget);
+      }
     }
     return result;
   }

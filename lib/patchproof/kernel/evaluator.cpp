@@ -55,6 +55,7 @@ Value Evaluator::compute(const Term& term) {
     case Operation::matrix_product: return of_matrix_product(term);
     case Operation::bernstein:
     case Operation::bspline_basis: return of_basis(term);
+    case Operation::integral: return of_integral(term);
     default: return pointwise(term);
   }
 }

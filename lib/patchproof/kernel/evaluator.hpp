@@ -41,6 +41,7 @@ class Evaluator {
   Value of_vector_operation(const Term& term);
   Value of_matrix_product(const Term& term);
   Value of_basis(const Term& term);
+  Value of_integral(const Term& term);
   Value pointwise(const Term& term);
 
   Workspace& workspace_;

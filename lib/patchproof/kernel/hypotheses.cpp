@@ -62,7 +62,8 @@ void Hypotheses::add_equation(const Polynomial& equation, const std::string& nam
   }
   const bool solved = parameters_in(rest).empty()
                           ? replace_variable(rest)
-                          : define_function(rest) || split_by_parameters(rest, name);
+                          : define_function(rest) || define_edge(rest) ||
+                                split_by_parameters(rest, name);
   if (solved) return;
   left_out_.push_back(name + " is not linear in something it could be solved for");
   unsolved_.push_back(rest);
@@ -182,15 +183,8 @@ std::optional<Hypotheses::Definition> Hypotheses::definition(const Symbol& funct
   return found->second;
 }
 
-void Hypotheses::require_in_range(Variable parameter, const Fraction& argument) {
-  const auto range = ranges_.find(parameter);
-  if (range == ranges_.end() || same(argument, Fraction{Polynomial::variable(parameter)})) return;
-  const Fraction above = difference(argument, range->second.low, workspace_.budget);
-  const Fraction below = difference(range->second.high, argument, workspace_.budget);
-  const bool inside = above.is_polynomial() && below.is_polynomial() &&
-                      facts_.never_negative(above.numerator(), workspace_.budget) &&
-                      facts_.never_negative(below.numerator(), workspace_.budget);
-  if (!inside)
+void Hypotheses::require_in_range(Variable parameter, const Fraction& argument) const {
+  if (!is_in_range(parameter, argument))
     throw OutsideTheory{
         "an assumption about a function is known only for parameters in their range"};
 }
@@ -213,14 +207,17 @@ Fraction Hypotheses::function_value(const Definition& definition, const Atom& je
 
 std::map<Variable, Fraction> Hypotheses::images_for(const Fraction& fraction) {
   std::map<Variable, Fraction> result = images_;
-  if (functions_.empty()) return result;
+  if (functions_.empty() && edges_.empty()) return result;
   std::set<Variable> within;
   collect(fraction, workspace_.atoms, within);
   for (const Variable v : within) {
     const Atom atom = workspace_.atoms[v];
     if (atom.kind != Atom::Kind::jet) continue;
     const auto definition = functions_.find({atom.symbol->ordinal, atom.component});
-    if (definition == functions_.end()) continue;
+    if (definition == functions_.end()) {
+      if (const std::optional<Fraction> value = edge_value(atom)) result.insert_or_assign(v, *value);
+      continue;
+    }
     const auto known = function_images_.find(v);
     result.insert_or_assign(
         v, known != function_images_.end()

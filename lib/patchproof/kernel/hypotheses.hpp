@@ -57,6 +57,18 @@ class Hypotheses {
   /// How the assumptions define this component of the function; empty when they do not.
   std::optional<Definition> definition(const Symbol& function, int component) const;
 
+  /// A function whose values on an edge the assumptions give: r(u,0) == C1(u), or r_v(u,0) == 0.
+  struct EdgeValue {
+    /// For each argument its value on the edge; empty for those that run along it.
+    std::vector<std::optional<Rational>> fixed;
+    /// The derivative across the edge whose value is given; zero along it.
+    std::vector<int> orders;
+    /// The parameters in the arguments that run along the edge, and the value there.
+    Definition definition;
+  };
+  /// The edges of this component of the function on which its values are assumed.
+  std::vector<EdgeValue> edges(const Symbol& function, int component) const;
+
  private:
   struct Range {
     Fraction low;
@@ -66,6 +78,7 @@ class Hypotheses {
   void add_ranges(const Goal& goal, Evaluator& evaluator);
   void add_equation(const Polynomial& equation, const std::string& name);
   bool define_function(const Polynomial& equation);
+  bool define_edge(const Polynomial& equation);
   bool split_by_parameters(const Polynomial& equation, const std::string& name);
   bool replace_variable(const Polynomial& equation);
   void add_facts(const Goal& goal, const std::vector<bool>& enabled, Evaluator& evaluator);
@@ -74,12 +87,17 @@ class Hypotheses {
   /// The replacements that matter for the fraction.
   std::map<Variable, Fraction> images_for(const Fraction& fraction);
   Fraction function_value(const Definition& definition, const Atom& jet);
-  void require_in_range(Variable parameter, const Fraction& argument);
+  /// The jet by what is assumed on an edge it lies on; empty when it lies on none.
+  std::optional<Fraction> edge_value(const Atom& jet);
+  void require_in_range(Variable parameter, const Fraction& argument) const;
+  /// Whether the argument is shown to lie in the range of the parameter.
+  bool is_in_range(Variable parameter, const Fraction& argument) const;
 
   Workspace& workspace_;
   std::map<Variable, Range> ranges_;
   std::map<Variable, Fraction> images_;
   std::map<std::pair<unsigned, int>, Definition> functions_;
+  std::map<std::pair<unsigned, int>, std::vector<EdgeValue>> edges_;
   std::map<Variable, Fraction> function_images_;
   SignFacts facts_;
   Conditions conditions_;

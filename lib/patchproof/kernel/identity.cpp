@@ -1,6 +1,7 @@
 #include <patchproof/kernel/identity.hpp>
 
 #include <patchproof/kernel/enclose.hpp>
+#include <patchproof/kernel/integral_signs.hpp>
 #include <patchproof/kernel/readable.hpp>
 
 namespace patchproof {
@@ -46,12 +47,12 @@ void keep_open(const Conditions& conditions, Hypotheses& hypotheses, Workspace& 
     if (condition.kind == Condition::Kind::not_zero) {
       const SignFacts facts = facts_about(p, hypotheses.facts(), workspace.atoms);
       const std::optional<bool> known = holds_for_numbers(condition.kind, p, workspace);
+      if (known == true || (!known && facts.never_zero(p, workspace.budget))) continue;
       const bool always_zero = known == false ||
                                (facts.never_negative(p, workspace.budget) &&
                                 facts.never_negative(scaled(p, -1), workspace.budget));
       if (always_zero) throw NoValue{"division by zero", span};
-      if (known != true && !facts.never_zero(p, workspace.budget))
-        result.insert({condition.kind, primitive(p).polynomial});
+      result.insert({condition.kind, primitive(p).polynomial});
     } else {
       if (!reduced.is_polynomial()) throw OutsideTheory{"the sign of a quotient under a square root"};
       const std::optional<bool> known = holds_for_numbers(condition.kind, p, workspace);
@@ -64,11 +65,16 @@ void keep_open(const Conditions& conditions, Hypotheses& hypotheses, Workspace& 
 
 namespace {
 
-// numerator * denominator has the sign of the fraction, where the fraction has a value.
-Polynomial sign_polynomial(const Fraction& fraction, Workspace& workspace) {
-  return normal_form(product(fraction.numerator(), expanded(fraction.denominator(), workspace.budget),
-                             workspace.budget),
-                     workspace);
+// A polynomial with the sign of the fraction, where the fraction has a value: the numerator times the
+// factors of the denominator whose sign is not known. The denominator is not zero there.
+Polynomial sign_polynomial(const Fraction& fraction, const SignFacts& facts, Workspace& workspace) {
+  Polynomial result = fraction.numerator();
+  for (const auto& [factor, exponent] : fraction.denominator()) {
+    if (exponent % 2 == 0 || facts.never_negative(factor, workspace.budget)) continue;
+    const bool negative = facts.never_negative(scaled(factor, -1), workspace.budget);
+    result = negative ? scaled(result, -1) : product(result, factor, workspace.budget);
+  }
+  return normal_form(result, workspace);
 }
 
 // Zero by itself, or a multiple of an assumed equation that could not be solved.
@@ -98,15 +104,13 @@ std::optional<bool> number_relation(Relation relation, const Fraction& d, Worksp
   }
 }
 
-bool order_holds(Relation relation, const Fraction& d, const SignFacts& facts, Workspace& w) {
-  const Polynomial p = sign_polynomial(d, w);
-  const Polynomial minus = scaled(p, -1);
-  switch (relation) {
-    case Relation::less: return facts.always_positive(minus, w.budget);
-    case Relation::less_equal: return facts.never_negative(minus, w.budget);
-    case Relation::greater: return facts.always_positive(p, w.budget);
-    default: return facts.never_negative(p, w.budget);
-  }
+// The polynomial whose sign an order between left and right asks for; `d` is left - right.
+SignFacts::Inequality asked_by(Relation relation, const Fraction& d, const SignFacts& facts,
+                               Workspace& w) {
+  const Polynomial p = sign_polynomial(d, facts, w);
+  const bool smaller = relation == Relation::less || relation == Relation::less_equal;
+  const bool strict = relation == Relation::less || relation == Relation::greater;
+  return {smaller ? scaled(p, -1) : p, strict};
 }
 
 }  // namespace
@@ -123,21 +127,37 @@ Finding finding(const Goal& goal, Evaluator& evaluator, Hypotheses& hypotheses,
     keep_open(left.conditions, hypotheses, workspace, statement.span, result.conditions);
     keep_open(right.conditions, hypotheses, workspace, statement.span, result.conditions);
     bool some_never_equal = false;
+    Polynomial squares;  // of the differences: zero only where both sides are equal
     for (std::size_t c = 0; c < left.components.size() && !decided; ++c) {
       const Fraction plain = difference(left.components[c], right.components[c], workspace.budget);
       const Fraction d =
           normal_form(hypotheses.reduced(normal_form(plain, workspace)), workspace);
       bool good = vanishes(d, hypotheses, workspace);
       const std::optional<bool> settled = number_relation(statement.relation, d, workspace);
+      std::optional<SignFacts::Inequality> asked;
+      SignAnswer answer;
       if (statement.relation == Relation::not_equal) {
-        some_never_equal =
-            some_never_equal ||
-            settled.value_or(hypotheses.facts().never_zero(d.numerator(), workspace.budget));
-        good = some_never_equal || c + 1 < left.components.size();
-      } else if (settled) {
-        good = *settled;
+        if (!some_never_equal && !settled) {
+          answer = hypotheses.facts().apart_from_zero(d.numerator(), workspace.budget);
+          if (answer.shown()) result.tree.add(answer.tree);
+        }
+        some_never_equal = some_never_equal || settled.value_or(answer.shown());
+        const bool last = c + 1 == left.components.size();
+        squares = sum(squares, product(d.numerator(), d.numerator(), workspace.budget),
+                      workspace.budget);
+        if (last && c > 0 && !some_never_equal) {
+          answer = hypotheses.facts().sign(normal_form(squares, workspace), true, workspace.budget);
+          some_never_equal = answer.shown();
+          if (some_never_equal) result.tree.add(answer.tree);
+        }
+        good = some_never_equal || !last;
       } else if (statement.relation != Relation::equal) {
-        good = order_holds(statement.relation, d, hypotheses.facts(), workspace);
+        const SignFacts facts =
+            with_signs_of_integrals(hypotheses.facts(), d.numerator(), workspace);
+        asked = asked_by(statement.relation, d, facts, workspace);
+        if (!settled) answer = facts.sign(asked->polynomial, asked->strict, workspace.budget);
+        good = settled.value_or(answer.shown());
+        if (good) result.tree.add(answer.tree);
       }
       if (good) continue;
       const bool equation = statement.relation == Relation::equal;
@@ -145,6 +165,8 @@ Finding finding(const Goal& goal, Evaluator& evaluator, Hypotheses& hypotheses,
         result.statement = k;
         result.component = c;
         result.residual = d;
+        result.asked = asked;
+        result.sign = answer;
         result.outcome = equation ? Finding::Outcome::fails : Finding::Outcome::open;
       }
       decided = equation;

@@ -22,6 +22,12 @@ struct Finding {
   Fraction residual;
   /// Conditions that the facts do not imply.
   Conditions conditions;
+  /// open, for an order: the polynomial that has to be positive, or not negative.
+  std::optional<SignFacts::Inequality> asked;
+  /// open: what was found out about its sign.
+  SignAnswer sign;
+  /// The boxes that the inequalities needed.
+  Subdivision tree;
 };
 
 /// Judges the statements of the goal.

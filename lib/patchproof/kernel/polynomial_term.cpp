@@ -52,6 +52,28 @@ Term whole_term(const Atom& atom, const Atoms& atoms) {
   return make_term(Operation::apply, *atom.symbol->type.inner, std::move(children));
 }
 
+// The variable of an integral as a bound symbol; it is bound by the nearest integral around it.
+SymbolPointer running_symbol(const Atom& atom) {
+  return std::make_shared<const Symbol>(
+      Symbol{"t" + std::to_string(atom.component + 1), Symbol::Role::bound, Type::scalar(), 0,
+             ~0U - 1000 - static_cast<unsigned>(atom.component)});
+}
+
+Term integral_term(const Atom& atom, const Atoms& atoms) {
+  Formals formals;
+  std::vector<std::string> names;
+  std::vector<Term> children{Term{}};
+  for (std::size_t k = 1; k < atom.arguments.size(); ++k) {
+    const Atom& running = atoms[*variables(atom.arguments[k]).begin()];
+    formals.push_back(running_symbol(running));
+    names.push_back(formals.back()->name);
+    for (const Fraction& end : running.arguments) children.push_back(scalar_term(end, atoms));
+  }
+  children.front() = make_term(Operation::lambda, Type::function(names, Type::scalar()),
+                               {scalar_term(atom.arguments.front(), atoms)}, formals);
+  return make_term(Operation::integral, Type::scalar(), std::move(children));
+}
+
 Term variable_term(Variable variable, const Atoms& atoms) {
   const Atom& atom = atoms[variable];
   const auto elementary = [&](Operation operation) {
@@ -63,6 +85,8 @@ Term variable_term(Variable variable, const Atoms& atoms) {
     case Atom::Kind::cosine: return elementary(Operation::cosine);
     case Atom::Kind::exponential: return elementary(Operation::exponential);
     case Atom::Kind::root: return elementary(Operation::square_root);
+    case Atom::Kind::running: return symbol_term(running_symbol(atom));
+    case Atom::Kind::integral: return integral_term(atom, atoms);
     case Atom::Kind::slot: throw std::logic_error{"a formal argument outside its function"};
     default: break;
   }

@@ -65,9 +65,22 @@ class Writer {
         return atom.symbol->type.parameters.at(static_cast<std::size_t>(atom.component));
       case Atom::Kind::pi: return "pi";
       case Atom::Kind::jet: return with_component(*atom.symbol->type.inner, jet(atom));
+      case Atom::Kind::running: return "t" + std::to_string(atom.component + 1);
+      case Atom::Kind::integral: return integral(atom);
       default:
         return std::string{name_of(atom.kind)} + "(" + fraction(atom.arguments.front()) + ")";
     }
+  }
+
+  std::string integral(const Atom& atom) {
+    std::string text = "integral(" + fraction(atom.arguments.front());
+    for (std::size_t k = 1; k < atom.arguments.size(); ++k) {
+      const std::vector<Fraction>& ends =
+          atoms_[*variables(atom.arguments[k]).begin()].arguments;
+      text += ", " + fraction(atom.arguments[k]) + " in [" + fraction(ends.at(0)) + ", " +
+              fraction(ends.at(1)) + "]";
+    }
+    return text + ")";
   }
 
   std::string jet(const Atom& atom) {

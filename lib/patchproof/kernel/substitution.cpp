@@ -1,4 +1,5 @@
 #include <patchproof/kernel/elementary.hpp>
+#include <patchproof/kernel/integral.hpp>
 #include <patchproof/kernel/transformation.hpp>
 
 namespace patchproof {
@@ -27,6 +28,7 @@ const Fraction& Substitution::image(Variable variable) {
       case Atom::Kind::root:
         result = square_root(atom.arguments.front(), conditions_, workspace_);
         break;
+      case Atom::Kind::integral: result = renewed_integral(atom, workspace_); break;
       default: result = Polynomial::variable(workspace_.atoms.variable(atom)); break;
     }
   }

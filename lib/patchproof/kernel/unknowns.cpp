@@ -74,7 +74,8 @@ class Collector {
 
   // A point of any dimension stands for its coordinates all at once and cannot be divided by.
   void require_scalar(const Polynomial& coefficient) const {
-    for (const Variable v : coefficient.variables()) {
+    // Also inside integrals, which are as much a point as their integrand.
+    for (const Variable v : variables_within(coefficient, atoms_)) {
       const Atom& atom = atoms_[v];
       if (atom.kind != Atom::Kind::symbol && atom.kind != Atom::Kind::jet) continue;
       const Type& type = atom.kind == Atom::Kind::jet ? *atom.symbol->type.inner : atom.symbol->type;

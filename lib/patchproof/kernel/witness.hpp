@@ -18,6 +18,8 @@ struct Witness {
 struct WitnessTarget {
   std::vector<Polynomial> not_zero;
   std::vector<SignFacts::Inequality> inequalities;
+  /// Values to be tried before all others.
+  std::map<Variable, Rational> preferred;
 };
 
 /// Looks for a witness: assumptions and ranges are respected, the target polynomials do not

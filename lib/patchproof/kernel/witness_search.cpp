@@ -35,6 +35,7 @@ class Search {
         target_{target},
         hypotheses_{hypotheses},
         workspace_{workspace},
+        attempt_{attempt},
         candidates_{candidates(attempt)},
         known_{static_cast<Variable>(workspace.atoms.size())} {}
 
@@ -45,7 +46,7 @@ class Search {
     for (const auto& i : target_.inequalities) add_inequality(i);
     for (const auto& i : hypotheses_.facts().inequalities()) add_inequality(i);
     if (!assign()) return std::nullopt;
-    return witness_values(goal_, assigned_, known_, hypotheses_, workspace_);
+    return witness_values(goal_, assigned_, known_, hypotheses_, workspace_, attempt_);
   }
 
  private:
@@ -120,6 +121,8 @@ class Search {
     if (!v) return true;
     std::vector<Rational> values = candidates_;
     if (const std::optional<Rational> fitting = model_value(*v)) values.push_back(*fitting);
+    if (const auto known = target_.preferred.find(*v); known != target_.preferred.end())
+      values.insert(values.begin(), known->second);
     for (const Rational& value : values) {
       if (++tried_ > 4000) return false;
       workspace_.budget.spend(10);
@@ -159,6 +162,7 @@ class Search {
   const WitnessTarget& target_;
   Hypotheses& hypotheses_;
   Workspace& workspace_;
+  int attempt_;
   std::vector<Rational> candidates_;
   /// Variables from here on are made while searching.
   Variable known_;

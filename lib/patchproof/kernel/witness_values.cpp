@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <patchproof/kernel/frame.hpp>
 #include <patchproof/kernel/interpolation.hpp>
 #include <patchproof/kernel/polynomial_term.hpp>
 #include <patchproof/term/replacement.hpp>
@@ -24,21 +25,27 @@ namespace {
 class Values {
  public:
   Values(const Goal& goal, const Assignment& assigned, Variable known, Hypotheses& hypotheses,
-         Workspace& workspace)
+         Workspace& workspace, bool uneven)
       : goal_{goal},
         assigned_{assigned},
         known_{known},
         hypotheses_{hypotheses},
-        workspace_{workspace} {}
+        workspace_{workspace},
+        uneven_{uneven} {}
 
   std::optional<Witness> collected() {
     Witness witness;
     std::map<unsigned, SymbolPointer> symbols = free_symbols(goal_);
     for (const ParameterRange& range : goal_.ranges) {
-      const bool needed = std::any_of(
-          goal_.statements.begin(), goal_.statements.end(), [&](const Statement& s) {
-            return free_symbols(s.left).contains(range.parameter->ordinal) ||
-                   free_symbols(s.right).contains(range.parameter->ordinal);
+      const auto names_it = [&](const Statement& s) {
+        return free_symbols(s.left).contains(range.parameter->ordinal) ||
+               free_symbols(s.right).contains(range.parameter->ordinal);
+      };
+      // An inequality that is assumed restricts a parameter even where no statement names it.
+      const bool needed =
+          std::any_of(goal_.statements.begin(), goal_.statements.end(), names_it) ||
+          std::any_of(goal_.assumptions.begin(), goal_.assumptions.end(), [&](const Assumption& a) {
+            return a.statement.relation != Relation::equal && names_it(a.statement);
           });
       if (!needed) symbols.erase(range.parameter->ordinal);
     }
@@ -56,7 +63,8 @@ class Values {
   // The value of a fraction once everything is assigned; what is still open is zero.
   std::optional<Rational> number(const Fraction& fraction) {
     Fraction result = hypotheses_.reduced(fraction);
-    for (const auto& [v, value] : assigned_) result = with_value(result, v, value, hypotheses_, workspace_);
+    for (const auto& [v, value] : assigned_)
+      result = with_value(result, v, value, hypotheses_, workspace_);
     for (int round = 0; round < 1000; ++round) {
       std::optional<Variable> open;
       std::set<Variable> within = variables_within(result.numerator(), workspace_.atoms);
@@ -101,6 +109,83 @@ class Values {
                                      [&](const auto& value) { return value.first == v; });
   }
 
+  bool is_assigned(Variable v) const {
+    return std::any_of(assigned_.begin(), assigned_.end(),
+                       [&](const auto& value) { return value.first == v; });
+  }
+
+  // Whether a value was tried for the function under an integral.
+  bool is_under_integral(Variable jet) const {
+    if (!is_assigned(jet)) return false;
+    const Atom& atom = workspace_.atoms[jet];
+    return std::any_of(atom.arguments.begin(), atom.arguments.end(), [&](const Fraction& argument) {
+      const std::set<Variable> within = variables(argument);
+      return std::any_of(within.begin(), within.end(), [&](Variable x) {
+        return workspace_.atoms[x].kind == Atom::Kind::running;
+      });
+    });
+  }
+
+  // Such a value is meant for a place between the ends: the first or the second of two.
+  Fraction sampled(const Fraction& argument, int place) {
+    std::map<Variable, Fraction> places;
+    for (const Variable v : variables(argument)) {
+      const Atom atom = workspace_.atoms[v];
+      if (atom.kind != Atom::Kind::running) continue;
+      const Fraction length = difference(atom.arguments[1], atom.arguments[0], workspace_.budget);
+      const Rational part{place, atom.component + 3};
+      places.emplace(
+          v, sum(atom.arguments[0], product(length, part, workspace_.budget), workspace_.budget));
+    }
+    return substituted(argument, places, workspace_.budget);
+  }
+
+  // What is asked of the function by the value of a jet; nothing when it is not at numbers.
+  std::optional<Prescription> prescription(Variable v, int place) {
+    const Atom atom = workspace_.atoms[v];
+    Prescription result{atom.orders, {}, 0};
+    for (const Fraction& given : atom.arguments) {
+      const Fraction argument = is_assigned(v) ? sampled(given, place) : given;
+      for (const Variable x : variables(argument)) {
+        const Atom& inner = workspace_.atoms[x];
+        const bool bound = inner.kind == Atom::Kind::slot || inner.kind == Atom::Kind::running ||
+                           (inner.symbol && inner.symbol->role == Symbol::Role::bound);
+        if (bound) return std::nullopt;
+      }
+      const std::optional<Rational> at = number(argument);
+      if (!at) return std::nullopt;
+      result.at.push_back(*at);
+    }
+    const std::optional<Rational> value = number(Polynomial::variable(v));
+    if (!value) return std::nullopt;
+    result.value = *value * (place == 1 ? 1 : 3);
+    return result;
+  }
+
+  // A polynomial with the values assumed on edges, and one that vanishes there.
+  std::optional<Frame> frame(const SymbolPointer& symbol, int c,
+                             const std::vector<Variable>& slots) {
+    Frame result{Polynomial{}, Polynomial{Rational{1}}};
+    for (const Hypotheses::EdgeValue& edge : hypotheses_.edges(*symbol, c)) {
+      std::vector<Variable> along;
+      EdgePolynomial part;
+      for (std::size_t k = 0; k < slots.size(); ++k) {
+        if (!edge.fixed[k]) {
+          along.push_back(slots[k]);
+          continue;
+        }
+        part.slot = slots[k];
+        part.at = *edge.fixed[k];
+        part.order = edge.orders[k];
+      }
+      const std::optional<Polynomial> value = defined_component(edge.definition, along);
+      if (!value) return std::nullopt;
+      part.value = *value;
+      add_edge(part, result, workspace_.budget);
+    }
+    return result;
+  }
+
   // The unknown function as a polynomial in its slots, through all the values it must have.
   std::optional<Polynomial> component(const SymbolPointer& symbol, int c,
                                       const std::vector<Variable>& slots) {
@@ -118,25 +203,18 @@ class Values {
       if (atom.kind != Atom::Kind::jet || atom.symbol->ordinal != symbol->ordinal ||
           atom.component != c || !matters(v))
         continue;
-      Prescription p{atom.orders, {}, 0};
-      bool numeric = true;
-      for (const Fraction& argument : atom.arguments) {
-        bool has_slot = false;
-        for (const Variable x : variables(argument))
-          has_slot = has_slot || workspace_.atoms[x].kind == Atom::Kind::slot ||
-                     (workspace_.atoms[x].symbol &&
-                      workspace_.atoms[x].symbol->role == Symbol::Role::bound);
-        const std::optional<Rational> value = has_slot ? std::nullopt : number(argument);
-        numeric = numeric && value.has_value();
-        if (numeric) p.at.push_back(*value);
+      for (const int place : {1, 2}) {
+        if (place == 2 && !(uneven_ && is_under_integral(v))) break;
+        std::optional<Prescription> p = prescription(v, place);
+        if (p) prescriptions.push_back(std::move(*p));
       }
-      if (!numeric) continue;
-      const std::optional<Rational> value = number(Polynomial::variable(v));
-      if (!value) continue;
-      p.value = *value;
-      prescriptions.push_back(std::move(p));
     }
-    std::optional<Polynomial> result = interpolant(prescriptions, slots, workspace_.budget);
+    const std::optional<Frame> around = frame(symbol, c, slots);
+    if (!around) return std::nullopt;
+    std::optional<Polynomial> result =
+        around->vanishing.is_constant()
+            ? interpolant(prescriptions, slots, workspace_.budget)
+            : framed_interpolant(prescriptions, *around, slots, workspace_.budget);
     if (result) functions_.emplace(key, *result);
     return result;
   }
@@ -145,7 +223,10 @@ class Values {
   std::optional<Polynomial> defined_component(const Hypotheses::Definition& definition,
                                               const std::vector<Variable>& slots) {
     std::map<Variable, Fraction> images;
-    for (const Variable v : variables(definition.value)) {
+    std::set<Variable> within = variables_within(definition.value.numerator(), workspace_.atoms);
+    for (const auto& [factor, exponent] : definition.value.denominator())
+      within.merge(variables_within(factor, workspace_.atoms));
+    for (const Variable v : within) {
       const Atom atom = workspace_.atoms[v];
       if (atom.kind == Atom::Kind::symbol && atom.symbol->role != Symbol::Role::parameter) {
         const std::optional<Rational> value = number(Polynomial::variable(v));
@@ -159,14 +240,14 @@ class Values {
         if (!value) return std::nullopt;
         std::map<Variable, Fraction> arguments;
         for (std::size_t k = 0; k < inner.size(); ++k) {
-          for (int order = 0; order < atom.orders[k]; ++order)
-            value = derivative(*value, inner[k]);
+          for (int order = 0; order < atom.orders[k]; ++order) value = derivative(*value, inner[k]);
           arguments.emplace(inner[k], atom.arguments[k]);
         }
         images.emplace(v, substituted(Fraction{*value}, arguments, workspace_.budget));
       }
     }
-    Fraction value = substituted(definition.value, images, workspace_.budget);
+    // Also under integrals, which then are those of polynomials.
+    Fraction value = Substitution{std::move(images), workspace_}(definition.value);
     std::map<Variable, Fraction> rename;
     for (std::size_t k = 0; k < slots.size(); ++k)
       rename.emplace(definition.parameters[k], Fraction{Polynomial::variable(slots[k])});
@@ -183,15 +264,16 @@ class Values {
   Variable known_;
   Hypotheses& hypotheses_;
   Workspace& workspace_;
+  bool uneven_;
   std::map<std::pair<unsigned, int>, Polynomial> functions_;
 };
 
 }  // namespace
 
 std::optional<Witness> witness_values(const Goal& goal, const Assignment& assignment,
-                                      Variable known, Hypotheses& hypotheses,
-                                      Workspace& workspace) {
-  return Values{goal, assignment, known, hypotheses, workspace}.collected();
+                                      Variable known, Hypotheses& hypotheses, Workspace& workspace,
+                                      int attempt) {
+  return Values{goal, assignment, known, hypotheses, workspace, attempt % 2 == 1}.collected();
 }
 
 }  // namespace patchproof

@@ -22,9 +22,11 @@ Fraction with_value(const Fraction& fraction, Variable variable, const Rational&
 /// hypotheses fix them; what they leave open is zero. Empty when they are not rational.
 ///
 /// Functions go through their values at the variables before `known`, and at those assigned; later
-/// ones belong to values that were tried and given up.
+/// ones belong to values that were tried and given up. Where values were chosen for functions under
+/// integrals these get them at one place inside; in odd attempts another value at a second place, so
+/// that the functions are less even and their integrals less likely to cancel.
 std::optional<Witness> witness_values(const Goal& goal, const Assignment& assignment,
                                       Variable known, Hypotheses& hypotheses,
-                                      Workspace& workspace);
+                                      Workspace& workspace, int attempt);
 
 }  // namespace patchproof

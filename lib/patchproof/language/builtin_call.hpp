@@ -51,4 +51,8 @@ struct BuiltinCall {
 /// value.
 Term derivative_of(const BuiltinCall& call);
 
+/// integral(f, u in [a, b], v in [c, d]): the variables are new, and the integrand is read with them
+/// in place of parameters of the same names.
+Term integral_of(const BuiltinCall& call);
+
 }  // namespace patchproof

@@ -73,16 +73,22 @@ Term transpose(const Call& call) {
                                call.span());
 }
 
-Term finite_sum(const Call& call) {
+// A sum or a product: the first argument for every combination of the running indices.
+Term running(const Call& call, bool sum) {
   const std::vector<syntax::Binder> binders = call.binders(1);
   std::vector<Term> terms;
   for (const std::vector<int>& values : call.elaborator.combinations(binders, call.scope)) {
     call.elaborator.workshop().count_term(call.span());
     const Scope inner = Elaborator::bound(call.scope, binders, values);
-    terms.push_back(call.elaborator.expression(*call.expression.arguments[0].value, inner));
+    const Expression& term = *call.expression.arguments[0].value;
+    terms.push_back(call.elaborator.expression(term, inner));
+    if (!sum && !call.construct().value(inner, terms.back()).type().is_scalar())
+      throw Fault{term.span, "the factors of a product have to be scalars, and this is a " +
+                                 to_text(terms.back().type())};
   }
-  const std::string signs(terms.size(), '+');
-  return call.construct().sum(call.scope, std::move(terms), signs, call.span());
+  const std::string signs(terms.size(), sum ? '+' : '*');
+  return sum ? call.construct().sum(call.scope, std::move(terms), signs, call.span())
+             : call.construct().product(call.scope, std::move(terms), signs, call.span());
 }
 
 Term net(const Call& call) {
@@ -198,7 +204,10 @@ const std::vector<Builtin>& builtins() {
       {"cross", "cross(a, b)", 2, 2, [](const Call& c) { return of_two_points(c, Operation::cross); }},
       {"transpose", "transpose(M)", 1, 1, transpose},
       {"diff", "diff(r, u, 2, v)", 2, many, derivative_of},
-      {"sum", "sum(b[i]*x^i, i in 0..3)", 2, many, finite_sum},
+      {"sum", "sum(b[i]*x^i, i in 0..3)", 2, many, [](const Call& c) { return running(c, true); }},
+      {"product", "product(t - a[i], i in 0..3)", 2, many,
+       [](const Call& c) { return running(c, false); }},
+      {"integral", "integral(f(u), u in [0, 1])", 2, many, integral_of},
       {"net", "net(c[i,0], i in 0..3, j in 0..3)", 2, 3, net},
       {"rows", "rows(M)", 1, 1, [](const Call& c) { return extent(c, true); }},
       {"columns", "columns(M)", 1, 1, [](const Call& c) { return extent(c, false); }},

@@ -122,7 +122,10 @@ void CaseElaborator::identity(const syntax::Statement& statement,
   claim.statement = proposition.span;
   claim.note = statement.note.value_or("");
   check_uses(statement, claim);
-  claim.kind = IdentityClaim{goal_of(proposition, scope)};
+  if (proposition.minimum)
+    claim.kind = minimum(*proposition.minimum, scope);
+  else
+    claim.kind = IdentityClaim{goal_of(proposition, scope)};
   result.claims.push_back(std::move(claim));
 }
 

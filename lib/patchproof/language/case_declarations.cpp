@@ -3,6 +3,7 @@
 #include <patchproof/language/builtin_splines.hpp>
 #include <patchproof/language/builtins.hpp>
 #include <patchproof/language/case_elaborator.hpp>
+#include <patchproof/language/functional.hpp>
 
 namespace patchproof {
 
@@ -180,6 +181,17 @@ void CaseElaborator::declare_matrix(const Declarator& declarator) {
 
 void CaseElaborator::declare_let(const Declarator& declarator) {
   require_new(declarator.name);
+  std::vector<bool> functions;
+  if (!declarator.parameters.empty())
+    functions = functions_among(declarator.parameters, *declarator.value, scope_);
+  if (std::find(functions.begin(), functions.end(), true) != functions.end()) {
+    require_different(declarator.parameters);
+    scope_.declare(declarator.name.text,
+                   Entity{Entity::Kind::functional, {}, nullptr, declarator.name.span,
+                          std::make_shared<const Functional>(Functional{
+                              declarator.parameters, declarator.value, functions, scope_})});
+    return;
+  }
   declare_name(declarator.name, declarator.parameters.empty()
                                     ? elaborator_.expression(*declarator.value, scope_)
                                     : defined_function(declarator));
@@ -192,7 +204,8 @@ void CaseElaborator::declare(const syntax::Statement& statement) {
     case Kind::scalar:
     case Kind::point: declare_symbols(statement); break;
     case Kind::curve:
-    case Kind::patch: declare_functions(statement); break;
+    case Kind::patch:
+    case Kind::volume: declare_functions(statement); break;
     case Kind::matrix:
       for (const Declarator& declarator : statement.declarators) declare_matrix(declarator);
       break;
@@ -229,13 +242,14 @@ void CaseElaborator::declare(const syntax::Statement& statement) {
     case Kind::let:
       for (const Declarator& declarator : statement.declarators) declare_let(declarator);
       break;
-    default: assume(statement); break;
+    default: break;
   }
 }
 
-void CaseElaborator::assume(const syntax::Statement& statement) {
+void CaseElaborator::assume(const syntax::Statement& statement, Case& result) {
   const std::string label = statement.label ? statement.label->text : "";
   const std::vector<syntax::Binder>& binders = statement.clauses.binders;
+  const std::size_t first = assumptions_.size();
   for (const std::vector<int>& values :
        elaborator_.combinations(binders, scope_, most_instances)) {
     Goal goal = goal_of(statement.proposition, Elaborator::bound(scope_, binders, values));
@@ -243,6 +257,12 @@ void CaseElaborator::assume(const syntax::Statement& statement) {
     ranges_.insert(ranges_.end(), goal.ranges.begin() + static_cast<std::ptrdiff_t>(ranges_.size()),
                    goal.ranges.end());
   }
+  const bool of_first_instance = std::none_of(
+      result.assumptions.begin(), result.assumptions.end(),
+      [&](const WrittenAssumption& a) { return a.span.begin == statement.span.begin; });
+  if (of_first_instance)
+    result.assumptions.push_back({label, first, assumptions_.size() - first, statement.span,
+                                  statement.note.value_or("")});
 }
 
 void CaseElaborator::statement(const syntax::Statement& statement, Case& result) {
@@ -255,10 +275,8 @@ void CaseElaborator::statement(const syntax::Statement& statement, Case& result)
       case Kind::open:
       case Kind::derive:
       case Kind::erratum: claim(statement, result); break;
-      case Kind::show:
-        result.shown.push_back(
-            {statement.span, instance_, elaborator_.expression(*statement.shown, scope_)});
-        break;
+      case Kind::assume: assume(statement, result); break;
+      case Kind::show: show(statement, result); break;
       default: declare(statement); break;
     }
   } catch (const Fault& fault) {

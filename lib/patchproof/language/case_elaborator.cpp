@@ -70,6 +70,27 @@ std::vector<syntax::Binder> family_of(const syntax::Case& written) {
 
 }  // namespace
 
+bool has_meaning(syntax::Statement::Kind kind) {
+  return !is_meta(kind) && kind != WrittenStatement::Kind::family;
+}
+
+std::vector<CaseInstance> instances_of(const syntax::Case& written, const Library& library) {
+  const std::vector<syntax::Binder> family = family_of(written);
+  Workshop workshop;
+  Elaborator elaborator{library, workshop};
+  std::vector<CaseInstance> result;
+  for (const std::vector<int>& values :
+       elaborator.combinations(family, Scope{}, most_instances)) {
+    CaseInstance& instance = result.emplace_back();
+    for (std::size_t k = 0; k < family.size(); ++k) {
+      instance.text += (instance.text.empty() ? "" : ",") + family[k].name.text + "=" +
+                       std::to_string(values[k]);
+      instance.values.emplace_back(family[k].name, values[k]);
+    }
+  }
+  return result;
+}
+
 Case elaborated(const syntax::Case& written, const Library& library, const Limits& limits,
                 std::vector<Diagnostic>& diagnostics) {
   Case result;
@@ -78,28 +99,20 @@ Case elaborated(const syntax::Case& written, const Library& library, const Limit
   result.span = written.name.span;
   for (const WrittenStatement& statement : written.statements)
     if (is_meta(statement.kind)) set_meta(statement, result, diagnostics);
-  const std::vector<syntax::Binder> family = family_of(written);
-  std::vector<std::vector<int>> instances;
+  std::vector<CaseInstance> instances;
   try {
-    Workshop workshop;
-    Elaborator elaborator{library, workshop};
-    instances = elaborator.combinations(family, Scope{}, most_instances);
+    instances = instances_of(written, library);
   } catch (const Fault& fault) {
     diagnostics.push_back(fault.diagnostic);
     return result;
   }
-  for (const std::vector<int>& values : instances) {
-    std::string instance;
-    for (std::size_t k = 0; k < family.size(); ++k)
-      instance += (instance.empty() ? "" : ",") + family[k].name.text + "=" +
-                  std::to_string(values[k]);
+  for (const CaseInstance& instance : instances) {
     const std::size_t before = diagnostics.size();
-    CaseElaborator elaborator{library, instance, diagnostics};
-    for (std::size_t k = 0; k < family.size(); ++k)
-      elaborator.declare_number(family[k].name.text, values[k], family[k].name.span);
+    CaseElaborator elaborator{library, instance.text, diagnostics};
+    for (const auto& [name, value] : instance.values)
+      elaborator.declare_number(name.text, value, name.span);
     for (const WrittenStatement& statement : written.statements)
-      if (!is_meta(statement.kind) && statement.kind != WrittenStatement::Kind::family)
-        elaborator.statement(statement, result);
+      if (has_meaning(statement.kind)) elaborator.statement(statement, result);
     // One faulty instance is enough: the others would repeat its messages.
     if (diagnostics.size() > before) break;
   }

@@ -16,6 +16,22 @@ namespace patchproof {
 Case elaborated(const syntax::Case& written, const Library& library, const Limits& limits,
                 std::vector<Diagnostic>& diagnostics);
 
+/// One instance of a case: the values of the running indices of its family.
+struct CaseInstance {
+  /// "m=1,n=2"; "" for a case without a family.
+  std::string text;
+  std::vector<std::pair<syntax::Name, int>> values;
+};
+
+/// All instances of a case; one without values where there is no family.
+/// @throws Fault when the family has no or too many instances.
+std::vector<CaseInstance> instances_of(const syntax::Case& written, const Library& library);
+
+/// Whether such a statement says something, rather than something about the case as a whole.
+bool has_meaning(syntax::Statement::Kind kind);
+/// Checks that no parameter occurs twice. @throws Fault
+void require_different(const std::vector<syntax::Name>& parameters);
+
 /// The work on one instance of a case; see `elaborated`.
 class CaseElaborator {
  public:
@@ -25,6 +41,8 @@ class CaseElaborator {
   /// A running index of the family, before any statement.
   void declare_number(const std::string& name, int value, const Span& span);
   void statement(const syntax::Statement& statement, Case& result);
+  /// What is declared so far.
+  const Scope& scope() const { return scope_; }
 
  private:
   // declarations (case_declarations.cpp)
@@ -34,7 +52,7 @@ class CaseElaborator {
   void declare_functions(const syntax::Statement& statement);
   void declare_matrix(const syntax::Declarator& declarator);
   void declare_let(const syntax::Declarator& declarator);
-  void assume(const syntax::Statement& statement);
+  void assume(const syntax::Statement& statement, Case& result);
   Term unknown_function(const syntax::Statement& statement, const syntax::Declarator& declarator,
                         const Type& value);
   Term degree_function(const syntax::Statement& statement, const syntax::Declarator& declarator,
@@ -53,6 +71,8 @@ class CaseElaborator {
                 const std::string& instance, Case& result);
   void derive(const syntax::Statement& statement, const Scope& scope, const std::string& instance,
               Case& result);
+  // minima (case_minimum.cpp)
+  MinimumClaim minimum(const syntax::Minimum& minimum, const Scope& scope);
   Goal goal_of(const syntax::Proposition& proposition, const Scope& scope);
   void add_comparison(const syntax::Comparison& comparison, const Scope& scope, Goal& goal);
   void add_relation(Term left, Relation relation, Term right, const Span& span, const Scope& scope,
@@ -62,7 +82,12 @@ class CaseElaborator {
   std::pair<Term, Term> range_of(const std::string& parameter) const;
   void require_equal_ranges(const JointEdge& first, const JointEdge& second,
                             const Span& span) const;
+  JointEdge edge_of(const syntax::Edge& edge, const Scope& scope);
+  JointQuestion joint_of(const syntax::Joint& joint, const Scope& scope, const Goal& given);
+  std::vector<Term> connecting_functions(const syntax::Joint& joint, const JointQuestion& question,
+                                         const Scope& scope);
   void add_joint(const syntax::Joint& joint, const Scope& scope, Goal& goal);
+  void show(const syntax::Statement& statement, Case& result);
   std::vector<SymbolPointer> unknowns_of(const Term& term, const Span& span) const;
   void check_uses(const syntax::Statement& statement, Claim& claim);
 

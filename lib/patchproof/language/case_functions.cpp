@@ -2,8 +2,6 @@
 
 namespace patchproof {
 
-namespace {
-
 void require_different(const std::vector<syntax::Name>& parameters) {
   for (std::size_t k = 0; k < parameters.size(); ++k)
     for (std::size_t earlier = 0; earlier < k; ++earlier)
@@ -11,8 +9,6 @@ void require_different(const std::vector<syntax::Name>& parameters) {
         throw Fault{parameters[k].span,
                     "the parameter '" + parameters[k].text + "' occurs twice"};
 }
-
-}  // namespace
 
 Formals CaseElaborator::formals_of(const std::vector<syntax::Name>& names, Scope& inner) {
   Formals formals;
@@ -103,12 +99,14 @@ void CaseElaborator::declare_functions(const syntax::Statement& statement) {
   const Type value =
       Type::point(statement.dimension == 0 ? Type::any_dimension : statement.dimension);
   const bool curve = statement.kind == syntax::Statement::Kind::curve;
+  const bool patch = statement.kind == syntax::Statement::Kind::patch;
   for (const syntax::Declarator& declarator : statement.declarators) {
     require_new(declarator.name);
-    const std::size_t expected = curve ? 1 : 2;
+    const std::size_t expected = curve ? 1 : patch ? 2 : 3;
     if (declarator.parameters.size() != expected)
-      throw Fault{declarator.name.span, curve ? "a curve has one parameter, as in C(u)"
-                                              : "a patch has two parameters, as in r(u, v)"};
+      throw Fault{declarator.name.span, curve   ? "a curve has one parameter, as in C(u)"
+                                        : patch ? "a patch has two parameters, as in r(u, v)"
+                                                : "a volume has three parameters, as in F(u, v, w)"};
     const Term term = declarator.value ? defined_function(declarator)
                       : !statement.degrees.empty()
                           ? degree_function(statement, declarator, value)

@@ -17,6 +17,7 @@ std::string in_words(const syntax::FormalType& type) {
     case Kind::point: return "point";
     case Kind::curve: return "curve";
     case Kind::patch: return "patch";
+    case Kind::volume: return "volume";
     case Kind::net: return "net";
     case Kind::matrix: return "matrix";
     case Kind::list: return "list of points";
@@ -74,7 +75,8 @@ Term Elaborator::as_function(const syntax::Formal& formal, const Term& given, co
                 wanted.size() == 1
                     ? "it should depend on '" + wanted.front() + "'; or declare it: 'curve C(" +
                           wanted.front() + ") = ...'"
-                    : "declare it as a patch: 'patch p(u, v) = ...'"};
+                : wanted.size() == 2 ? "declare it as a patch: 'patch p(u, v) = ...'"
+                                     : "declare it as a volume: 'volume F(u, v, w) = ...'"};
   const Term function = construct_.lambda(formals, given, given.span());
   if (function.type().parameters == wanted) return function;
   return construct_.function(wanted, given.span(), [&](const std::vector<Term>& at) {
@@ -107,7 +109,8 @@ Term Elaborator::argument(const syntax::Formal& formal, const Term& given, const
     }
     case Kind::scalar_function:
     case Kind::curve:
-    case Kind::patch: {
+    case Kind::patch:
+    case Kind::volume: {
       const Term plain = given.type().is_matrix() ? decayed(given) : given;
       if (plain.type().is_matrix()) return wrong();
       const Term function = as_function(formal, plain, scope);

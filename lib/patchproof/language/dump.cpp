@@ -21,16 +21,17 @@ std::string_view text_of(Expression::Kind kind) {
 }
 
 std::string_view text_of(Statement::Kind kind) {
-  static constexpr std::array<std::string_view, 22> words{
+  static constexpr std::array<std::string_view, 23> words{
       "title", "source", "quote",  "tags",   "limit",   "param", "scalar", "point",
-      "curve", "patch",  "matrix", "net",    "spline",  "let",   "assume", "family",
+      "curve", "patch",  "volume", "matrix", "net",    "spline",  "let",   "assume", "family",
       "prove", "refute", "open",   "derive", "erratum", "show"};
   return words.at(static_cast<std::size_t>(kind));
 }
 
 std::string_view text_of(FormalType::Kind kind) {
-  static constexpr std::array<std::string_view, 9> words{
-      "scalar", "scalar function", "point", "curve", "patch", "net", "matrix", "list", "spline"};
+  static constexpr std::array<std::string_view, 10> words{
+      "scalar", "scalar function", "point",  "curve", "patch",
+      "volume", "net",             "matrix", "list",  "spline"};
   return words.at(static_cast<std::size_t>(kind));
 }
 
@@ -101,10 +102,15 @@ class Dumper {
     return result;
   }
 
+  Json json(const RangeBinder& binder) const {
+    Json result = json(binder.name);
+    result["range"] = json(binder.range);
+    return result;
+  }
   Json json(const Argument& argument) const {
     if (argument.binder) return json(*argument.binder);
     if (argument.interval) return json(*argument.interval);
-    return json(argument.value);
+    return argument.range ? json(*argument.range) : json(argument.value);
   }
 
   Json json(const ExpressionPointer& pointer) const {
@@ -144,9 +150,20 @@ class Dumper {
 
   Json json(const Joint& joint) const {
     Json result = node("joint", joint.span);
+    if (joint.geometric) result["geometric"] = true;
     result["order"] = joint.order;
     result["first"] = json(joint.first);
     result["second"] = json(joint.second);
+    add(result, "with", joint.functions);
+    return result;
+  }
+
+  Json json(const Minimum& minimum) const {
+    Json result = node("minimum", minimum.span);
+    add(result, "candidate", minimum.candidate);
+    add(result, "functional", minimum.functional);
+    result["competitor"] = minimum.competitor.text;
+    add(result, "where", minimum.constraints);
     return result;
   }
 
@@ -155,6 +172,7 @@ class Dumper {
     add(result, "comparisons", proposition.comparisons);
     add(result, "joint", proposition.joint);
     add(result, "further_joints", proposition.further_joints);
+    add(result, "minimum", proposition.minimum);
     return result;
   }
 
@@ -169,13 +187,17 @@ class Dumper {
     return result;
   }
 
+  Json json(const Range& range) const {
+    Json result = node("range", range.span);
+    add(result, "lower", range.lower);
+    add(result, "upper", range.upper);
+    return result;
+  }
+
   Json json(const ParameterGroup& group) const {
     Json result = node("parameters", group.names.front().span);
     add(result, "names", group.names);
-    Json range = node("range", group.range.span);
-    add(range, "lower", group.range.lower);
-    add(range, "upper", group.range.upper);
-    result["range"] = std::move(range);
+    result["range"] = json(group.range);
     return result;
   }
 
@@ -223,8 +245,8 @@ class Dumper {
     add(result, "binders", statement.binders);
     add(result, "label", statement.label);
     add(result, "unknowns", statement.unknowns);
-    add_stated(result, statement.kind == Kind::derive ? "from" : "proposition",
-               statement.proposition);
+    const char* stated = statement.kind == Kind::derive ? "from" : "proposition";
+    add_stated(result, stated, statement.proposition);
     add_stated(result, "printed", statement.printed);
     add_stated(result, "corrected", statement.corrected);
     add(result, "gives", statement.gives);
@@ -234,6 +256,7 @@ class Dumper {
     add(result, "for", statement.clauses.binders);
     add(result, "note", statement.note);
     add(result, "shown", statement.shown);
+    add(result, "shown", statement.shown_joint);
     return result;
   }
 

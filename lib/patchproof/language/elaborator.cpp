@@ -56,6 +56,9 @@ Term Elaborator::name(const std::string& text, const Span& span, const Scope& sc
       throw Fault{span, "'" + base + "' is a spline, which is made of pieces",
                   "segment(" + base + ", 0) is its first piece, for a surface segment(" + base +
                       ", 0, 0)"};
+    if (entity->kind == Entity::Kind::functional)
+      throw Fault{span, "'" + base + "' needs arguments: " + base + "(" +
+                            entity->functional->formals.front().text + ")"};
     // The same node, with the span of this use.
     const TermNode& node = *entity->term;
     const Term term = node.operation == Operation::symbol
@@ -227,7 +230,11 @@ Term Elaborator::expression(const syntax::Expression& e, const Scope& scope) {
 
 Term Elaborator::call(const syntax::Expression& e, const Scope& scope) {
   const syntax::Expression& callee = *e.operands.front();
-  if (callee.kind == syntax::Expression::Kind::name && scope.find(callee.text) == nullptr) {
+  const Entity* entity =
+      callee.kind == syntax::Expression::Kind::name ? scope.find(callee.text) : nullptr;
+  if (entity != nullptr && entity->kind == Entity::Kind::functional)
+    return functional_call(*entity->functional, e, scope);
+  if (callee.kind == syntax::Expression::Kind::name && entity == nullptr) {
     if (const syntax::Definition* definition = library_.find(callee.text))
       return definition_call(*definition, e, scope);
     if (is_builtin(callee.text)) return builtin_call(callee.text, e, scope, *this);

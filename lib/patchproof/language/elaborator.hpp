@@ -49,6 +49,8 @@ class Elaborator {
  private:
   Term call(const syntax::Expression& expression, const Scope& scope);
   Term index(const syntax::Expression& expression, const Scope& scope);
+  Term functional_call(const Functional& functional, const syntax::Expression& call,
+                       const Scope& scope);
   Term definition_call(const syntax::Definition& definition, const syntax::Expression& call,
                        const Scope& scope);
   Term expanded(const syntax::Definition& definition, Scope& inside, std::vector<Term> arguments,

@@ -38,6 +38,10 @@ void set_height_over(TokenStream& stream, Expression& expression) {
     include(argument.value);
     if (argument.interval) include_both(*argument.interval);
     if (argument.binder) include_both(argument.binder->interval);
+    if (argument.range) {
+      include(argument.range->range.lower);
+      include(argument.range->range.upper);
+    }
   }
   for (const auto& row : expression.rows) {
     for (const ExpressionPointer& entry : row) include(entry);

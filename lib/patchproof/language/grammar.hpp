@@ -29,6 +29,7 @@ std::vector<syntax::Name> formal_parameters(TokenStream& stream);
 void declaration(TokenStream& stream, syntax::Statement& statement);
 void claim(TokenStream& stream, syntax::Statement& statement);
 void assumption(TokenStream& stream, syntax::Statement& statement);
+void show(TokenStream& stream, syntax::Statement& statement);
 
 /// A statement whose keyword comes next, or that is to be read as if `keyword` came next.
 /// Notes the mistakes in it and goes to its end; empty when it could not be made sense of.

@@ -14,8 +14,8 @@ bool holds(const std::vector<std::string>& words, std::string_view word) {
 const std::vector<std::string>& statement_keywords() {
   static const std::vector<std::string> words{
       "title", "source", "quote",  "tags", "limit",  "param",   "scalar", "point",
-      "curve", "patch",  "matrix", "net",  "spline", "let",     "assume", "family",
-      "prove", "refute", "open",   "show", "derive", "erratum", "end"};
+      "curve", "patch",  "volume", "matrix", "net",  "spline", "let",     "assume", "family",
+      "prove", "refute", "open",   "show",   "derive", "erratum", "end"};
   return words;
 }
 
@@ -27,7 +27,7 @@ const std::vector<std::string>& file_keywords() {
 const std::vector<std::string>& inner_keywords() {
   static const std::vector<std::string> words{
       "using", "for", "from", "gives", "leaves",    "inconsistent", "where",     "over", "on",
-      "at",    "in",  "of",   "joint", "minimizes", "printed",      "corrected", "note", "and"};
+      "at",    "in",  "of",   "joint", "minimizes", "printed",      "corrected", "note", "and", "with"};
   return words;
 }
 

@@ -22,7 +22,15 @@ using Labels = std::map<std::string, std::uint32_t>;
 
 syntax::Name path(TokenStream& stream) {
   syntax::Name result = stream.any_word("a name for the case");
-  while (stream.accept(".")) result.text += "." + stream.any_word("a name after '.'").text;
+  while (stream.accept(".")) {
+    // Parts after the first may be numbers: cz.twist.00.
+    if (stream.is(Token::Kind::number)) {
+      result.text += "." + std::string(stream.text());
+      stream.advance();
+    } else {
+      result.text += "." + stream.any_word("a name after '.'").text;
+    }
+  }
   result.span = stream.span_from(result.span.begin);
   return result;
 }

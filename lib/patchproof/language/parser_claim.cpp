@@ -4,12 +4,15 @@
 //   derive LABEL : expressions from proposition {, proposition}
 //       [ gives expressions ] [ leaves expressions ] [ inconsistent ] { clause }
 //   erratum LABEL printed proposition corrected proposition [ note STRING ] end
+//   assume [ LABEL : ] comparison {, comparison} [ note STRING ]
 //   proposition = "C^k" joint of edge and edge | comparison {, comparison}
+//               | "G^k" joint of edge and edge [ with expressions ]
 //   clause      = using LABEL {, LABEL} | for binder {, binder}
 
 #include <array>
 
 #include <patchproof/language/grammar.hpp>
+#include <patchproof/language/keywords.hpp>
 
 namespace patchproof::grammar {
 namespace {
@@ -55,7 +58,8 @@ Comparison comparison(TokenStream& stream, std::string_view subject) {
                 "'=' defines a name; " + std::string(subject) + " compares with '=='");
   }
   if (stream.is("minimizes")) {
-    stream.fail(stream.span(stream.token()), "'minimizes' is not available in this version");
+    stream.fail(stream.span(stream.token()), "'minimizes' makes a claim of its own",
+                "as in 'prove least: r minimizes E(p) over p where p == r on boundary'");
   }
   if (result.operators.empty()) stream.fail_expected("a comparison ('==', '!=', '<', ...)");
   if (stream.accept("on")) {
@@ -80,20 +84,26 @@ bool at_joint(const TokenStream& stream) {
   return (stream.is("C") || stream.is("G")) && stream.is("^", 1) && stream.is("joint", 3);
 }
 
-syntax::Joint joint(TokenStream& stream) {
-  const std::size_t begin = stream.token().begin;
-  if (stream.is("G")) {
-    stream.fail(stream.span(stream.token()), "'G^k joint' is not available in this version");
-  }
-  stream.expect("C");
-  stream.expect("^");
-  syntax::Joint result;
-  result.order = stream.whole_number("an order", 0, highest_order);
+void edges(TokenStream& stream, syntax::Joint& joint) {
   stream.expect("joint");
   stream.expect("of");
-  result.first = edge(stream);
+  joint.first = edge(stream);
   stream.expect("and");
-  result.second = edge(stream);
+  joint.second = edge(stream);
+}
+
+syntax::Joint joint(TokenStream& stream) {
+  const std::size_t begin = stream.token().begin;
+  syntax::Joint result;
+  result.geometric = stream.is("G");
+  stream.advance();
+  stream.expect("^");
+  result.order = stream.whole_number("an order", 0, highest_order);
+  edges(stream, result);
+  if (stream.is("with") && !result.geometric) {
+    stream.fail(stream.span(stream.token()), "only a G^k joint has connecting functions");
+  }
+  if (stream.accept("with")) result.functions = expressions(stream);
   result.span = stream.span_from(begin);
   return result;
 }
@@ -108,7 +118,43 @@ Proposition comparisons(TokenStream& stream, std::string_view subject) {
   return result;
 }
 
+/// Whether `minimizes` stands in this statement, so that it claims a minimum.
+bool at_minimum(const TokenStream& stream) {
+  for (std::size_t k = stream.index(); k < stream.tokens().size(); ++k) {
+    const Token& token = stream.tokens()[k];
+    if (token.kind == Token::Kind::name && stream.text(token) == "minimizes") return true;
+    const bool next_statement = k > stream.index() && token.first_on_line &&
+                                token.kind == Token::Kind::name &&
+                                begins_statement(stream.text(token));
+    if (next_statement || stream.text(token) == "==") return false;
+  }
+  return false;
+}
+
+syntax::Minimum minimum(TokenStream& stream) {
+  const std::size_t begin = stream.token().begin;
+  syntax::Minimum result;
+  result.candidate = expression(stream);
+  stream.expect("minimizes");
+  result.functional = expression(stream);
+  stream.expect("over");
+  result.competitor = stream.name("the competitor");
+  if (stream.accept("where")) {
+    do {
+      result.constraints.push_back(comparison(stream, "a constraint"));
+    } while (stream.accept(","));
+  }
+  result.span = stream.span_from(begin);
+  return result;
+}
+
 Proposition proposition(TokenStream& stream) {
+  if (at_minimum(stream)) {
+    Proposition result;
+    result.minimum = minimum(stream);
+    result.span = result.minimum->span;
+    return result;
+  }
   if (!at_joint(stream)) return comparisons(stream, "a claim");
   Proposition result;
   result.joint = joint(stream);
@@ -199,10 +245,22 @@ void erratum(TokenStream& stream, Statement& statement) {
 
 }  // namespace
 
+void show(TokenStream& stream, Statement& statement) {
+  if (!stream.is("joint") || !stream.is("of", 1)) {
+    statement.shown = expression(stream);
+    return;
+  }
+  const std::size_t begin = stream.token().begin;
+  statement.shown_joint.emplace();
+  edges(stream, *statement.shown_joint);
+  statement.shown_joint->span = stream.span_from(begin);
+}
+
 void assumption(TokenStream& stream, Statement& statement) {
   if (stream.is(Token::Kind::name) && stream.is(":", 1)) statement.label = label(stream);
   statement.proposition = comparisons(stream, "an assumption");
   if (stream.accept("for")) statement.clauses.binders = binders(stream);
+  if (stream.accept("note")) statement.note = stream.quoted_text();
 }
 
 void claim(TokenStream& stream, Statement& statement) {

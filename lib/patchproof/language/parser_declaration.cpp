@@ -1,7 +1,7 @@
 // Declarations:
 //
 //   param  NAME {, NAME} in range {, ...}          family binder {, binder}
-//   scalar | point | curve | patch  declarator {, declarator} { ":" property | "in" R^n }
+//   scalar | point | curve | patch | volume  declarator {, declarator} { ":" property | "in" R^n }
 //   matrix NAME = expression                       let NAME [(NAMES)] = expression
 //   net NAME[i, j] = expression for binders
 //   spline NAME = bspline(...) | merged(...) | expression
@@ -42,7 +42,7 @@ std::vector<syntax::Interval> extents(TokenStream& stream) {
   return result;
 }
 
-/// Parameters of a function: one of a curve or a scalar function, two of a patch.
+/// Parameters of a function: one of a curve or a scalar function, two of a patch, three of a volume.
 void function_parameters(TokenStream& stream, const Statement& statement, Declarator& declared) {
   const std::size_t begin = stream.token().begin;
   declared.parameters = formal_parameters(stream);
@@ -53,18 +53,23 @@ void function_parameters(TokenStream& stream, const Statement& statement, Declar
   if (statement.kind == Kind::patch && count != 2) {
     stream.fail(stream.span_from(begin), "a patch has two parameters");
   }
+  if (statement.kind == Kind::volume && count != 3) {
+    stream.fail(stream.span_from(begin), "a volume has three parameters");
+  }
 }
 
 Declarator declarator(TokenStream& stream, const Statement& statement) {
   const bool may_be_array = statement.kind == Kind::scalar || statement.kind == Kind::point;
-  const bool must_be_function = statement.kind == Kind::curve || statement.kind == Kind::patch;
+  const bool must_be_function = statement.kind == Kind::curve || statement.kind == Kind::patch ||
+                                statement.kind == Kind::volume;
   Declarator result;
   result.name = stream.name();
   if (may_be_array && stream.is("[")) {
     result.extents = extents(stream);
   } else if (must_be_function && !stream.is("(")) {
-    stream.fail_expected(statement.kind == Kind::curve ? "a parameter, as in C(u)"
-                                                       : "parameters, as in r(u, v)");
+    stream.fail_expected(statement.kind == Kind::curve   ? "a parameter, as in C(u)"
+                         : statement.kind == Kind::patch ? "parameters, as in r(u, v)"
+                                                         : "parameters, as in F(u, v, w)");
   } else if (statement.kind != Kind::point && stream.is("(")) {
     function_parameters(stream, statement, result);
   } else if (statement.kind == Kind::scalar) {

@@ -21,15 +21,16 @@ FormalType type(TokenStream& stream) {
     result.kind = stream.accept("function") ? Kind::scalar_function : Kind::scalar;
   } else if (stream.accept("point")) {
     result.kind = Kind::point;
-  } else if (stream.is("curve") || stream.is("patch")) {
-    const bool is_curve = stream.is("curve");
-    result.kind = is_curve ? Kind::curve : Kind::patch;
+  } else if (stream.is("curve") || stream.is("patch") || stream.is("volume")) {
+    result.kind = stream.is("curve") ? Kind::curve : stream.is("patch") ? Kind::patch : Kind::volume;
     stream.any_word("a type");
     const std::size_t open = stream.token().begin;
     result.parameters = formal_parameters(stream);
-    if (result.parameters.size() != (is_curve ? 1 : 2)) {
-      stream.fail(stream.span_from(open),
-                  is_curve ? "a curve has one parameter" : "a patch has two parameters");
+    const std::size_t needed = result.kind == Kind::curve ? 1 : result.kind == Kind::patch ? 2 : 3;
+    if (result.parameters.size() != needed) {
+      stream.fail(stream.span_from(open), needed == 1   ? "a curve has one parameter"
+                                          : needed == 2 ? "a patch has two parameters"
+                                                        : "a volume has three parameters");
     }
   } else if (stream.accept("net")) {
     result.kind = Kind::net;
@@ -40,12 +41,13 @@ FormalType type(TokenStream& stream) {
   } else if (stream.accept("spline")) {
     result.kind = Kind::spline;
   } else {
-    std::string help = did_you_mean(
-        stream.text(), {"scalar", "point", "curve", "patch", "net", "matrix", "list", "spline"});
+    std::string help =
+        did_you_mean(stream.text(), {"scalar", "point", "curve", "patch", "volume", "net", "matrix",
+                                     "list", "spline"});
     if (help.empty()) {
       help =
-          "types are scalar, scalar function, point, curve(u), patch(u, v), net, matrix, list "
-          "and spline";
+          "types are scalar, scalar function, point, curve(u), patch(u, v), volume(u, v, w), net, "
+          "matrix, list and spline";
     }
     stream.fail_expected("a type", std::move(help));
   }

@@ -116,19 +116,20 @@ Node primary(TokenStream& stream) {
   stream.fail_expected("an expression", std::move(help));
 }
 
-/// One argument of a call: an expression, or `i in 0..3`.
+/// One argument of a call: an expression, `i in 0..3` or `u in [0, 1]`.
 Argument call_argument(TokenStream& stream, const Expression& callee) {
   Argument result;
   if (!stream.is(Token::Kind::name) || !stream.is("in", 1)) {
     result.value = sum(stream);
     return result;
   }
-  if (stream.is("[", 2) && callee.kind == Kind::name && callee.text == "integral") {
-    stream.fail(callee.span, "'integral' is not available in this version");
-  }
   syntax::Binder binder;
   binder.name = stream.name();
   stream.expect("in");
+  if (stream.is("[") && callee.kind == Kind::name && callee.text == "integral") {
+    result.range = syntax::RangeBinder{std::move(binder.name), range(stream)};
+    return result;
+  }
   binder.interval = interval(stream);
   result.binder = std::move(binder);
   return result;

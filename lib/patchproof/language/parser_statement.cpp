@@ -1,6 +1,6 @@
 // One statement of a case: what is said about the case here, declarations and claims elsewhere.
 //
-//   title STRING | quote STRING | tags NAME {, NAME} | show expression
+//   title STRING | quote STRING | tags NAME {, NAME} | show ( expression | joint )
 //   source STRING { lang NAME | section STRING | page ( NUMBER | STRING ) }
 //   limit ( time | memory | terms | steps ) NUMBER [ s | ms | MB | GB ]
 
@@ -17,11 +17,11 @@ using syntax::Statement;
 using Kind = Statement::Kind;
 
 Kind kind_of(std::string_view keyword) {
-  static constexpr std::array<std::pair<std::string_view, Kind>, 22> table{{
+  static constexpr std::array<std::pair<std::string_view, Kind>, 23> table{{
       {"title", Kind::title},   {"source", Kind::source}, {"quote", Kind::quote},
       {"tags", Kind::tags},     {"limit", Kind::limit},   {"param", Kind::parameter},
       {"scalar", Kind::scalar}, {"point", Kind::point},   {"curve", Kind::curve},
-      {"patch", Kind::patch},   {"matrix", Kind::matrix}, {"net", Kind::net},
+      {"patch", Kind::patch},   {"volume", Kind::volume}, {"matrix", Kind::matrix}, {"net", Kind::net},
       {"spline", Kind::spline}, {"let", Kind::let},       {"assume", Kind::assume},
       {"family", Kind::family}, {"prove", Kind::prove},   {"refute", Kind::refute},
       {"open", Kind::open},     {"derive", Kind::derive}, {"erratum", Kind::erratum},
@@ -95,8 +95,7 @@ void contents(TokenStream& stream, Statement& statement) {
     case Kind::limit:
       return limit(stream, statement);
     case Kind::show:
-      statement.shown = expression(stream);
-      return;
+      return show(stream, statement);
     case Kind::assume:
       return assumption(stream, statement);
     case Kind::prove:

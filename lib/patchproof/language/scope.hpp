@@ -9,19 +9,23 @@
 #include <vector>
 
 #include <patchproof/language/fault.hpp>
+#include <patchproof/language/syntax.hpp>
 #include <patchproof/term/goal.hpp>
 
 namespace patchproof {
 
 struct Spline;
 
+struct Functional;
+
 /// What a name stands for.
 struct Entity {
-  enum class Kind { term, spline, faulty };
+  enum class Kind { term, spline, functional, faulty };
   Kind kind = Kind::term;
   Term term;
   std::shared_ptr<const Spline> spline;
   Span declared;
+  std::shared_ptr<const Functional> functional = nullptr;
 };
 
 /// The names known at one place, innermost first.
@@ -42,6 +46,16 @@ class Scope {
  private:
   const Scope* outer_;
   std::map<std::string, Entity> entities_;
+};
+
+/// `let E(q) = integral(dot(q_uv, q_uv), ...)`: a value made of curves, patches or nets. It is expanded
+/// where it is used, in the scope of its declaration.
+struct Functional {
+  std::vector<syntax::Name> formals;
+  syntax::ExpressionPointer value;
+  /// Which formals stand for functions or nets; the others for scalars.
+  std::vector<bool> is_function;
+  Scope scope;
 };
 
 /// Makes symbols and counts terms while one case is checked.

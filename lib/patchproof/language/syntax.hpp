@@ -32,14 +32,29 @@ struct Binder {
   Interval interval;
 };
 
+/// `[a, b]`
+struct Range {
+  ExpressionPointer lower;
+  ExpressionPointer upper;
+  Span span;
+};
+
+/// `u in [0, 1]`
+struct RangeBinder {
+  Name name;
+  Range range;
+};
+
 /// One argument of a call or one index of an index expression.
 struct Argument {
-  /// The value; empty when `binder` or `interval` is set.
+  /// The value; empty when one of the others is set.
   ExpressionPointer value;
   /// `i in 0..3`, as in sum(..., i in 0..3).
   std::optional<Binder> binder;
   /// `0..3` as in M[0..3, 3..6].
   std::optional<Interval> interval;
+  /// `u in [0, 1]`, as in integral(..., u in [0, 1]).
+  std::optional<RangeBinder> range;
 };
 
 /// One expression. Sums, products and comparisons are flat lists, so that a line of a million
@@ -92,32 +107,37 @@ struct Edge {
   ExpressionPointer value;
 };
 
-/// `C^2 joint of P at v = 1 and R at v = 0`
+/// `C^2 joint of P at v = 1 and R at v = 0`, `G^1 joint of ... with alpha, gamma`
 struct Joint {
+  bool geometric = false;  ///< G^k, not C^k
   int order = 0;
   Edge first;
   Edge second;
+  std::vector<ExpressionPointer> functions;  ///< G^k: the connecting functions; empty: not given
   Span span;
 };
 
-/// What a claim states: comparisons joined by commas, or a joint.
+/// `r minimizes E(p) over p where p == r on boundary`
+struct Minimum {
+  ExpressionPointer candidate;
+  ExpressionPointer functional;
+  Name competitor;
+  std::vector<Comparison> constraints;
+  Span span;
+};
+
+/// What a claim states: comparisons joined by commas, a joint, or a minimum.
 struct Proposition {
   std::vector<Comparison> comparisons;
   std::optional<Joint> joint;
   std::vector<Joint> further_joints;  ///< derive ... from several joints: those after the first
+  std::optional<Minimum> minimum;
   Span span;
 };
 
 /// `C^2`
 struct Smoothness {
   int order = 0;
-  Span span;
-};
-
-/// `[a, b]`
-struct Range {
-  ExpressionPointer lower;
-  ExpressionPointer upper;
   Span span;
 };
 
@@ -155,7 +175,7 @@ struct Clauses {
 struct Statement {
   enum class Kind {
     title, source, quote, tags, limit,
-    parameter, scalar, point, curve, patch, matrix, net, spline, let, assume, family,
+    parameter, scalar, point, curve, patch, volume, matrix, net, spline, let, assume, family,
     prove, refute, open, derive, erratum, show,
   };
   Kind kind = Kind::title;
@@ -172,7 +192,7 @@ struct Statement {
   std::optional<Name> limit_unit;
 
   std::vector<ParameterGroup> parameters;
-  std::vector<Declarator> declarators;    ///< scalar, point, curve, patch, matrix, net, spline, let
+  std::vector<Declarator> declarators;    ///< scalar, point, curve, patch, volume, matrix, net, spline, let
   std::optional<Smoothness> smoothness;   ///< curve/patch/scalar ... : C^2
   std::optional<Name> space;              ///< point/curve/patch ... in R^3 -> Name "R", dimension
   int dimension = 0;                      ///< of `in R^3`; 0 when not given
@@ -190,15 +210,18 @@ struct Statement {
   bool inconsistent = false;                ///< derive ... inconsistent
   Proposition printed;                      ///< erratum
   Proposition corrected;                    ///< erratum
-  std::optional<std::string> note;          ///< erratum
+  std::optional<std::string> note;          ///< erratum, assume
   ExpressionPointer shown;                  ///< show
+  std::optional<Joint> shown_joint;         ///< show joint of ... and ...
 };
 
 /// The declared type of a formal parameter of a definition, or of its result.
 struct FormalType {
-  enum class Kind { scalar, scalar_function, point, curve, patch, net, matrix, list, spline };
+  enum class Kind {
+    scalar, scalar_function, point, curve, patch, volume, net, matrix, list, spline,
+  };
   Kind kind = Kind::scalar;
-  std::vector<Name> parameters;  ///< curve(u), patch(u, v)
+  std::vector<Name> parameters;  ///< curve(u), patch(u, v), volume(u, v, w)
   Span span;
 };
 

@@ -62,4 +62,9 @@ std::string excerpt_of(const Span& span) {
   return result;
 }
 
+std::string as_written(const Span& span) {
+  if (!span.source || span.begin >= span.end) return "";
+  return span.source->text.substr(span.begin, span.end - span.begin);
+}
+
 }  // namespace patchproof

@@ -13,4 +13,7 @@ std::string place_of(const Span& span);
 /// has carets below it. Long statements and long lines are cut off.
 std::string excerpt_of(const Span& span);
 
+/// The text itself; "" without a source.
+std::string as_written(const Span& span);
+
 }  // namespace patchproof

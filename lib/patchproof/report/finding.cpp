@@ -78,6 +78,7 @@ class Notes {
   void proved() {
     for (const std::string& condition : decision_.conditions) note("only if", condition);
     derived();
+    details();
     if (outcome_ == Outcome::as_expected) {
       for (const std::string& condition : decision_.conditions)
         note("help", "where the condition is meant, say so in the case: assume " + condition);
@@ -98,9 +99,12 @@ class Notes {
         witness.component.empty() ? "" : " in component " + witness.component;
     note("left - right" + component, decision_.residual);
     note("witness", in_words(witness));
-    note("left side", witness.left);
-    note("right side", witness.right);
+    const bool minimum = std::holds_alternative<MinimumClaim>(claim_.kind);
+    note(minimum ? "value at the candidate" : "left side", witness.left);
+    note(minimum ? "value at the competitor" : "right side", witness.right);
+    note("reason", printable(decision_.reason));
     derived();
+    details();
     if (claim_.expectation == Expectation::open)
       note("help",
            "the statement is false: write 'refute " + claim_.label + ": ...' in place of 'open'");
@@ -108,6 +112,8 @@ class Notes {
 
   // A claim may consist of several statements, of which a person sees only the abbreviation.
   void which_statement() {
+    // What a minimum comes to stands in its witness.
+    if (std::holds_alternative<MinimumClaim>(claim_.kind)) return;
     const bool identity = std::holds_alternative<IdentityClaim>(claim_.kind);
     const std::vector<Statement>& statements =
         identity ? std::get<IdentityClaim>(claim_.kind).goal.statements
@@ -120,6 +126,10 @@ class Notes {
 
   void derived() {
     for (const auto& [name, value] : decision_.derived) note("derived", name + " = " + value);
+  }
+
+  void details() {
+    for (const auto& [name, value] : decision_.details) note(name, value);
   }
 
   void underdetermined() {

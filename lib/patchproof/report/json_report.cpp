@@ -1,7 +1,8 @@
 #include <patchproof/report/json_report.hpp>
 
-#include <nlohmann/json.hpp>
-
+#include <patchproof/report/audit_json.hpp>
+#include <patchproof/report/excerpt.hpp>
+#include <patchproof/report/json_parts.hpp>
 #include <patchproof/report/summary.hpp>
 #include <patchproof/version.hpp>
 
@@ -9,48 +10,9 @@ namespace patchproof {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json text_or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
-
-Json named_values(const std::vector<std::pair<std::string, std::string>>& values) {
-  Json list = Json::array();
-  for (const auto& [name, value] : values) list.push_back({{"name", name}, {"value", value}});
-  return list;
-}
-
-/// Adds "file", "line" and "column".
-void add_place(const Span& span, Json& object) {
-  if (!span.source) {
-    object["file"] = object["line"] = object["column"] = nullptr;
-    return;
-  }
-  const Position position = position_of(*span.source, span.begin);
-  object["file"] = span.source->name;
-  object["line"] = position.line;
-  object["column"] = position.column;
-}
-
-Json to_json(const Diagnostic& diagnostic) {
-  Json object;
-  add_place(diagnostic.span, object);
-  object["message"] = diagnostic.message;
-  object["help"] = text_or_null(diagnostic.help);
-  return object;
-}
-
-Json witness_of(const Decision& decision) {
-  if (decision.verdict != Verdict::refuted) return nullptr;
-  const WitnessReport& witness = decision.witness;
-  return {{"values", named_values(witness.values)},
-          {"left", witness.left},
-          {"right", witness.right},
-          {"component", text_or_null(witness.component)}};
-}
-
-std::string as_written(const Span& span) {
-  if (!span.source || span.begin >= span.end) return "";
-  return span.source->text.substr(span.begin, span.end - span.begin);
+Json to_json(const Subdivision& tree) {
+  if (tree.boxes == 0) return nullptr;
+  return {{"boxes", tree.boxes}, {"depth", tree.depth}};
 }
 
 Json to_json(const Case& of, const ClaimResult& result) {
@@ -72,11 +34,24 @@ Json to_json(const Case& of, const ClaimResult& result) {
   object["reason"] = text_or_null(decision.reason);
   object["conditions"] = decision.conditions;
   object["witness"] = witness_of(decision);
+  object["subdivision"] = to_json(decision.subdivision);
   object["residual"] = text_or_null(decision.residual);
   object["assumptions_used"] = decision.assumptions_used;
   object["derived"] = named_values(decision.derived);
   object["free"] = decision.free;
+  object["details"] = named_values(decision.details);
   object["note"] = text_or_null(claim.note);
+  return object;
+}
+
+Json to_json(const JointReport& joint) {
+  Json object;
+  object["parametric"] = joint.parametric ? Json(*joint.parametric) : Json{};
+  object["one_polynomial"] = joint.one_polynomial;
+  object["geometric"] = joint.geometric ? Json(*joint.geometric) : Json{};
+  object["next_parametric"] = text_or_null(joint.next_parametric);
+  object["next_geometric"] = text_or_null(joint.next_geometric);
+  object["conditions"] = joint.conditions;
   return object;
 }
 
@@ -85,8 +60,9 @@ Json to_json(const Case& of, const ShownResult& shown) {
   object["case"] = of.name;
   object["instance"] = text_or_null(shown.instance);
   add_place(shown.span, object);
-  object["term"] = shown.term;
+  object["term"] = shown.joint ? as_written(shown.joint->span) : shown.term;
   object["value"] = shown.value;
+  if (shown.joint) object["joint"] = to_json(*shown.joint);
   return object;
 }
 
@@ -110,13 +86,7 @@ Json to_json(const Summary& summary) {
 std::string json_report(const Report& report, const ReportStyle& /*style*/) {
   Json claims = Json::array();
   Json shown = Json::array();
-  Json diagnostics = Json::array();
-  Json unreadable = Json::array();
   for (const FileReport& file : report.files) {
-    if (!file.unreadable.empty())
-      unreadable.push_back({{"path", file.path}, {"message", file.unreadable}});
-    for (const Diagnostic& diagnostic : file.diagnostics)
-      diagnostics.push_back(to_json(diagnostic));
     for (const CaseResult& result : file.cases) {
       for (const ClaimResult& claim : result.claims)
         claims.push_back(to_json(result.verified, claim));
@@ -128,11 +98,11 @@ std::string json_report(const Report& report, const ReportStyle& /*style*/) {
   document["strict"] = report.strict;
   document["claims"] = std::move(claims);
   document["shown"] = std::move(shown);
-  document["diagnostics"] = std::move(diagnostics);
-  document["unreadable"] = std::move(unreadable);
+  add_audits(report.files, document);
+  add_mistakes(report.files, document);
   document["summary"] = to_json(summary_of(report));
   document["exit"] = static_cast<int>(exit_code(report));
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return in_lines(document);
 }
 
 }  // namespace patchproof

@@ -24,6 +24,13 @@ ExitCode code_of(const ClaimResult& result, bool strict) {
   }
 }
 
+bool has_flagged(const FileReport& file) {
+  for (const CaseAudit& audit : file.audits)
+    for (const AssumptionAudit& assumption : audit.assumptions)
+      if (assumption.status == AssumptionAudit::Status::flagged) return true;
+  return false;
+}
+
 }  // namespace
 
 std::string claim_id(const Case& of, const Claim& claim) {
@@ -55,6 +62,7 @@ ExitCode exit_code(const Report& report) {
         worst = graver(worst, code_of(claim, report.strict));
       }
     }
+    if (has_flagged(file)) worst = graver(worst, ExitCode::wrong);
   }
   return ran ? worst : graver(worst, ExitCode::nothing_ran);
 }

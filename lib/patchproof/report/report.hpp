@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <patchproof/claims/audit.hpp>
 #include <patchproof/claims/verification.hpp>
 #include <patchproof/language/diagnostic.hpp>
 
@@ -17,6 +18,8 @@ struct FileReport {
   std::vector<Diagnostic> diagnostics;
   /// Its cases without mistakes, decided.
   std::vector<CaseResult> cases;
+  /// What the assumptions of these cases are for, where that was asked.
+  std::vector<CaseAudit> audits{};
 };
 
 /// Everything a run found out, in the order of the files and of their texts.
@@ -36,7 +39,7 @@ bool needs_attention(const ClaimResult& result, bool strict);
 /// What the program ends with.
 enum class ExitCode {
   as_expected = 0,  ///< at least one claim was decided, and each as expected
-  wrong = 1,        ///< some verdict is not the expected one
+  wrong = 1,        ///< some verdict is not the expected one, or an assumption is flagged
   unknown = 2,      ///< some claim could not be decided
   conditional = 3,  ///< contradictory assumptions, or conditions in a strict report
   unreadable = 4,   ///< some file, case or claim cannot be read, or the report not be written

@@ -4,8 +4,10 @@
 #include <map>
 
 #include <patchproof/language/utf8.hpp>
+#include <patchproof/report/audit_text.hpp>
 #include <patchproof/report/claim_lines.hpp>
 #include <patchproof/report/colour.hpp>
+#include <patchproof/report/excerpt.hpp>
 #include <patchproof/report/finding.hpp>
 #include <patchproof/report/summary.hpp>
 #include <patchproof/report/verdict_words.hpp>
@@ -17,6 +19,17 @@ namespace {
 constexpr std::size_t widest_id = 60;
 /// Of a family, so many members are explained; the others are much like them.
 constexpr std::size_t most_findings_of_a_family = 3;
+
+// The words after `show`, in one line.
+std::string joint_as_written(const ShownResult& shown) {
+  const std::string all = as_written(shown.joint->span);
+  std::string text;
+  for (const char c : all) {
+    const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!blank || (!text.empty() && text.back() != ' ')) text += blank ? ' ' : c;
+  }
+  return printable(text);
+}
 
 class TextReport {
  public:
@@ -31,6 +44,8 @@ class TextReport {
     if (style_.verbosity != Verbosity::quiet)
       for_each_case([&](const CaseResult& result) { case_lines(result); });
     for_each_case([&](const CaseResult& result) { findings(result); });
+    for (const FileReport& file : report_.files)
+      for (const CaseAudit& audit : file.audits) audit_lines(audit);
     if (!text_.empty()) text_ += "\n";
     const std::string summary = in_words(summary_of(report_));
     return text_ + (style_.colour ? bold(summary) : summary) + "\n";
@@ -44,6 +59,11 @@ class TextReport {
   }
 
   bool verbose() const { return style_.verbosity == Verbosity::verbose; }
+
+  void audit_lines(const CaseAudit& audit) {
+    const std::string text = audit_text(audit, style_.verbosity == Verbosity::quiet);
+    if (!text.empty()) text_ += (text_.empty() ? "" : "\n") + text;
+  }
 
   std::vector<ClaimLine> lines_of(const CaseResult& result) const {
     if (!verbose()) return claim_lines(result, report_.strict);
@@ -63,8 +83,9 @@ class TextReport {
     }
     for (const ClaimLine& line : lines_of(result)) claim_line(line);
     for (const ShownResult& shown : result.shown)
-      text_ += "  show  " + (shown.instance.empty() ? "" : shown.instance + "  ") + shown.term +
-               " = " + shown.value + "\n";
+      text_ += "  show  " + (shown.instance.empty() ? "" : shown.instance + "  ") +
+               (shown.joint ? joint_as_written(shown) + ": " : shown.term + " = ") + shown.value +
+               "\n";
   }
 
   void claim_line(const ClaimLine& line) {
@@ -92,11 +113,16 @@ class TextReport {
     for (const std::string& label : decision.assumptions_used)
       used += (used.empty() ? ", using " : ", ") + label;
     text_ += used + "\n";
+    if (const std::string tree = in_words(decision.subdivision); !tree.empty())
+      text_ += "      " + tree + "\n";
     for (const auto& [name, value] : decision.derived)
       text_ += "      " + name + " = " + value + "\n";
+    for (const auto& [name, value] : decision.details)
+      text_ += "      " + name + ": " + value + "\n";
     if (decision.verdict != Verdict::refuted) return;
     text_ += "      false for " + in_words(decision.witness) + ": left side " +
              decision.witness.left + ", right side " + decision.witness.right + "\n";
+    if (!decision.reason.empty()) text_ += "      " + printable(decision.reason) + "\n";
   }
 
   void findings(const CaseResult& result) {

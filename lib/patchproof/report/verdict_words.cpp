@@ -78,4 +78,10 @@ std::string in_words(const WitnessReport& witness) {
   return zeros == 0 ? text : text + "; all others 0";
 }
 
+std::string in_words(const Subdivision& tree) {
+  if (tree.boxes == 0) return "";
+  return "Bernstein subdivision: " + std::to_string(tree.boxes) +
+         (tree.boxes == 1 ? " box" : " boxes") + ", depth " + std::to_string(tree.depth);
+}
+
 }  // namespace patchproof

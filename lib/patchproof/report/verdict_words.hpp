@@ -17,4 +17,7 @@ std::string expected_verdict(Expectation expectation);
 /// "u = 1/2, C1(u) = 1 - u; all others 0".
 std::string in_words(const WitnessReport& witness);
 
+/// "Bernstein subdivision: 7 boxes, depth 4"; "" where no boxes were needed.
+std::string in_words(const Subdivision& tree);
+
 }  // namespace patchproof

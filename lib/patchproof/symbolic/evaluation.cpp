@@ -9,6 +9,7 @@
 #include <patchproof/symbolic/elements.hpp>
 #include <patchproof/symbolic/exact_number.hpp>
 #include <patchproof/symbolic/exponentials.hpp>
+#include <patchproof/symbolic/integration.hpp>
 #include <patchproof/symbolic/substitution.hpp>
 
 namespace patchproof::symbolic {
@@ -84,6 +85,8 @@ Value Evaluation::evaluated(const Term& term) {
       return of_derivative(term);
     case Operation::definition:
       return (*this)(term.child(0));
+    case Operation::integral:
+      return of_integral(term);
     default:
       return of_operation(term);
   }
@@ -142,6 +145,20 @@ Value Evaluation::of_derivative(const Term& term) {
       component = derivative(ring_, component, function.formals[i], term.indices()[i]);
     }
     result.components.push_back(component);
+  }
+  return result;
+}
+
+// One variable after the other; the bounds contain none of them.
+Value Evaluation::of_integral(const Term& term) {
+  const Value function = (*this)(term.child(0));
+  Value result{function.components, {}};
+  for (std::size_t i = 0; i < function.formals.size(); ++i) {
+    const ex lower = scalar((*this)(term.child(2 * i + 1)).components);
+    const ex upper = scalar((*this)(term.child(2 * i + 2)).components);
+    for (ex& component : result.components) {
+      component = integral(ring_, component, function.formals[i], lower, upper);
+    }
   }
   return result;
 }
@@ -224,6 +241,7 @@ Components Evaluation::combined(const Term& term, const std::vector<Components>&
     case Operation::lambda:
     case Operation::apply:
     case Operation::derivative:
+    case Operation::integral:
     case Operation::definition:
       break;
   }

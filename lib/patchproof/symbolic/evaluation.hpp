@@ -37,6 +37,7 @@ class Evaluation {
   Value of_application(const Term& term);
   Value of_derivative(const Term& term);
   Value of_operation(const Term& term);
+  Value of_integral(const Term& term);
   Components at(const Value& function, const Components& arguments);
   Components combined(const Term& term, const std::vector<Components>& children);
 

@@ -82,10 +82,11 @@ std::size_t box(Extent a, const Extent& b, unsigned long times_a, std::size_t ca
 std::size_t multinomial_count(std::size_t terms, unsigned long exponent, std::size_t cap) {
   std::size_t result = 1;
   for (std::size_t i = 1; i < terms; ++i) {
-    if (result > cap / (exponent + i)) return cap;
+    // Below the cap times an exponent and a number of summands: no overflow.
     result = result * (exponent + i) / i;
+    if (result >= cap) return cap;
   }
-  return std::min(result, cap);
+  return result;
 }
 
 std::pair<ex, ex> halves(const ex& polynomial) {

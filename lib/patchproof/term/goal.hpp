@@ -54,4 +54,19 @@ struct SolveGoal {
   std::vector<SymbolPointer> unknowns;
 };
 
+/// Does the candidate have the least value of a functional among all competitors?
+///
+/// The competitors are all values of `competitor` that satisfy the constraints, identically in the
+/// parameters; they differ in the values of the unknowns.
+struct MinimumGoal {
+  /// One statement: value of the functional at the candidate <= value at the competitor.
+  Goal goal;
+  /// Equations that competitors have to satisfy.
+  std::vector<Statement> constraints;
+  /// competitor == candidate: values of one type.
+  Statement membership;
+  /// The control points of the competitor.
+  std::vector<SymbolPointer> unknowns;
+};
+
 }  // namespace patchproof

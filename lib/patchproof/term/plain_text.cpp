@@ -8,28 +8,11 @@
 
 #include <patchproof/term/binding.hpp>
 #include <patchproof/term/bounded_text.hpp>
+#include <patchproof/term/call_name.hpp>
 
 namespace patchproof {
 
 namespace {
-
-// What stands before the parentheses of an operation that is written as a call.
-std::string_view call_name(const Term& term) {
-  static constexpr std::pair<Operation, std::string_view> names[] = {
-      {Operation::sine, "sin"},
-      {Operation::cosine, "cos"},
-      {Operation::exponential, "exp"},
-      {Operation::square_root, "sqrt"},
-      {Operation::transpose, "transpose"},
-      {Operation::determinant, "det"},
-      {Operation::dot, "dot"},
-      {Operation::cross, "cross"}};
-  for (const auto& [operation, name] : names) {
-    if (operation == term.operation()) return name;
-  }
-  // A tuple; (x) alone would be x in parentheses.
-  return term.children().size() == 1 ? "tuple" : "";
-}
 
 class Writer {
  public:
@@ -73,6 +56,7 @@ class Writer {
   void write_component(const Term& point, int k);
   void write_indexed(const Term& term, std::initializer_list<std::string_view> separators);
   void write_matrix(const Term& matrix);
+  void write_integral(const Term& integral);
   void write_basis_function(const BasisFunction& basis, const Term& argument);
 
   BoundedText text_;
@@ -205,6 +189,22 @@ void Writer::write_matrix(const Term& matrix) {
   put("]");
 }
 
+void Writer::write_integral(const Term& integral) {
+  put("integral(");
+  write(integral.child(0));
+  const std::vector<std::string>& names = integral.child(0).type().parameters;
+  for (std::size_t k = 0; k < names.size() && !full(); ++k) {
+    put(", ");
+    put(names[k]);
+    put(" in [");
+    write(integral.child(2 * k + 1));
+    put(", ");
+    write(integral.child(2 * k + 2));
+    put("]");
+  }
+  put(")");
+}
+
 void Writer::write_basis_function(const BasisFunction& basis, const Term& argument) {
   put("bspline_basis(");
   for (const int number : {basis.index, basis.degree, basis.span}) {
@@ -273,6 +273,8 @@ void Writer::write(const Term& term) {
       return put(")");
     case Operation::bspline_basis:
       return write_basis_function(term.basis_function(), term.child(0));
+    case Operation::integral:
+      return write_integral(term);
     case Operation::definition:
       if (has_plain_name(term)) return put(term.name());
       return write_call(term.name(), term.children(), 1);

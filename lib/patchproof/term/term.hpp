@@ -39,6 +39,8 @@ enum class Operation {
   cross,            ///< (point, point) in R^3 -> point in R^3
   bernstein,        ///< (t) payload Indices{n, i} -> B_i^n(t) = C(n,i) t^i (1-t)^(n-i)
   bspline_basis,    ///< (t) payload BasisFunction -> its polynomial piece on one span
+  integral,         ///< (function, lower, upper, ...) -> its integral, one pair of bounds for each
+                    ///< parameter; the bounds do not contain the parameters
   definition,       ///< (expansion, arguments...) payload string: name -> value of the expansion
 };
 

@@ -48,12 +48,11 @@ std::string function_text(const Type& type) {
   }
   arguments = "(" + arguments + ")";
   const std::size_t count = type.parameters.size();
-  const bool curve_or_patch = count == 1 || count == 2;
-  if (!type.inner || !curve_or_patch) return "function" + arguments;
+  if (!type.inner || count < 1 || count > 3) return "function" + arguments;
   if (type.inner->is_scalar()) return "scalar function" + arguments;
   if (type.inner->is_matrix()) return "matrix function" + arguments;
   if (type.inner->is_function()) return "function" + arguments;
-  return (count == 1 ? "curve" : "patch") + arguments;
+  return (count == 1 ? "curve" : count == 2 ? "patch" : "volume") + arguments;
 }
 
 }  // namespace
