@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <patchproof/language/spline.hpp>
+
 namespace patchproof {
 
 namespace {
