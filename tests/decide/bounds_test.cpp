@@ -120,6 +120,28 @@ TEST_CASE("a scalar between numbers is a parameter as good as any") {
       "hermite PROVED uses range\ninside PROVED uses range\nend REFUTED\nboth PROVED uses range\n");
 }
 
+TEST_CASE("a factor that may be zero does not make a product positive") {
+  CHECK(verdicts(R"~(
+  param u in [0, 1]
+  scalar a, b, c, d
+  assume order: a <= b, c < 0, d < 0
+  prove weakly: (b - a)*(1 + u - u^2) >= 0
+  refute strictly: (b - a)*(1 + u - u^2) > 0
+  refute apart: (b - a)*(1 + u - u^2) != 0
+  prove negative: (c + d)*(1 + u - u^2) < 0
+  prove bound: (c + d)*H13(u) >= 4*(c + d)/27
+  refute attained: (c + d)*H13(u) > 4*(c + d)/27
+  refute sign: (c + d)*H13(u) <= 4*(c + d)/27
+)~") == R"~(weakly PROVED uses order
+strictly REFUTED
+apart REFUTED
+negative PROVED uses order
+bound PROVED uses order
+attained REFUTED
+sign REFUTED
+)~");
+}
+
 TEST_CASE("numbers that bound a scalar do not hide what else is assumed of it") {
   CHECK(verdicts(R"~(
   param u in [0, 1]
