@@ -70,10 +70,8 @@ TEST_CASE("curves have no direction along the edge") {
 TEST_CASE("show says how smooth a joint is, and what the next order lacks") {
   const auto shown = [](const std::string& statements) {
     std::string text;
-    const auto results =
-        results_of("case t\nparam u, v, t in [0, 1]\n" + statements + "end\n");
-    for (const ShownResult& s : results.at(0).shown)
-      text += s.value + "\n";
+    const auto results = results_of("case t\nparam u, v, t in [0, 1]\n" + statements + "end\n");
+    for (const ShownResult& s : results.at(0).shown) text += s.value + "\n";
     return text;
   };
   CHECK(shown(R"~(

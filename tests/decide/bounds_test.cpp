@@ -120,6 +120,45 @@ TEST_CASE("a scalar between numbers is a parameter as good as any") {
       "hermite PROVED uses range\ninside PROVED uses range\nend REFUTED\nboth PROVED uses range\n");
 }
 
+TEST_CASE("a factor that may be zero does not make a product positive") {
+  CHECK(verdicts(R"~(
+  param u in [0, 1]
+  scalar a, b, c, d
+  assume order: a <= b, c < 0, d < 0
+  prove weakly: (b - a)*(1 + u - u^2) >= 0
+  refute strictly: (b - a)*(1 + u - u^2) > 0
+  refute apart: (b - a)*(1 + u - u^2) != 0
+  prove negative: (c + d)*(1 + u - u^2) < 0
+  prove bound: (c + d)*H13(u) >= 4*(c + d)/27
+  refute attained: (c + d)*H13(u) > 4*(c + d)/27
+  refute sign: (c + d)*H13(u) <= 4*(c + d)/27
+)~") == R"~(weakly PROVED uses order
+strictly REFUTED
+apart REFUTED
+negative PROVED uses order
+bound PROVED uses order
+attained REFUTED
+sign REFUTED
+)~");
+}
+
+TEST_CASE("numbers that bound a scalar do not hide what else is assumed of it") {
+  CHECK(verdicts(R"~(
+  param u in [0, 1]
+  scalar a, b
+  assume order: 0 <= a, a <= b, b <= 1
+  prove combined: (b - a)*(1 - u) + b*u^2 >= 0
+  refute turned: (a - b)*(1 - u) + b*u^2 >= 0
+)~") == "combined PROVED uses order\nturned REFUTED\n");
+  CHECK(verdicts(R"~(
+  param u, v in [0, 1]
+  scalar k
+  assume below: 0 <= k, k < 8
+  prove positive: 4 + 2*k*((1 - 2*u)*v*(1 - v) + (1 - 2*v)*u*(1 - u)) > 0
+  refute further: 4 + 2*k*((1 - 2*u)*v*(1 - v) + (1 - 2*v)*u*(1 - u)) > 1/100
+)~") == "positive PROVED uses below\nfurther REFUTED\n");
+}
+
 TEST_CASE("squares are not negative, nor are vectors different that meet") {
   CHECK(verdicts(R"~(
   param t in [0, 1]

@@ -49,10 +49,27 @@ TEST_CASE("The JSON report has the members the documentation names, in this orde
 TEST_CASE("What does not apply is null in the JSON report") {
   const Json claim =
       document_of(report_of({result_of("one", Expectation::prove, Verdict::proved)}))["claims"][0];
-  for (const char* member : {"instance", "reason", "witness", "residual", "note"}) {
+  for (const char* member : {"instance", "reason", "witness", "subdivision", "residual", "note"}) {
     INFO(member);
     CHECK(claim[member].is_null());
   }
+}
+
+TEST_CASE("The JSON report says how many boxes an inequality needed, and what a joint is") {
+  ClaimResult proved = result_of("one", Expectation::prove, Verdict::proved);
+  proved.decision.subdivision = {7, 4};
+  Report report = report_of({proved});
+  JointReport joint;
+  joint.parametric = 1;
+  joint.geometric = 2;
+  joint.next_parametric = "not C^2: left - right = u";
+  report.files.front().cases.front().shown.push_back({{}, "", "", in_words(joint), joint});
+  const Json document = document_of(report);
+  CHECK(document["claims"][0]["subdivision"].dump() == R"({"boxes":7,"depth":4})");
+  CHECK(document["shown"][0]["value"] == "C^1, G^2; not C^2: left - right = u");
+  CHECK(document["shown"][0]["joint"].dump() ==
+        R"({"parametric":1,"one_polynomial":false,"geometric":2,)"
+        R"("next_parametric":"not C^2: left - right = u","next_geometric":null,"conditions":[]})");
 }
 
 TEST_CASE("Mistakes and unreadable paths are in the JSON report") {

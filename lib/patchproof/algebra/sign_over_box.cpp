@@ -261,8 +261,7 @@ BoxSign sign_over_box(const Polynomial& polynomial, const Box& box, bool strict,
     // Large tensors get fewer boxes, as all that wait are kept.
     const std::size_t fitting = most_coefficients_kept / bernstein_size(moving, needed);
     const bool try_odd_part = needed.size() == 1 && !strict;
-    const std::size_t boxes =
-        try_odd_part ? 64 : std::clamp<std::size_t>(fitting, 16, most_boxes);
+    const std::size_t boxes = try_odd_part ? 64 : std::clamp<std::size_t>(fitting, 16, most_boxes);
     result = Search{moving, needed, strict, boxes, most_charts, budget}.run();
     if (result.answer == BoxSign::Answer::open && try_odd_part)
       result = sign_without_even_zeros(moving, needed, budget);

@@ -187,8 +187,8 @@ SignAnswer SignFacts::sign_by_boxes(const Polynomial& polynomial, bool strict,
   if (box.size() < polynomial.variables().size())
     return sign_with_symbols(polynomial, box, strict, budget);
   BoxSign found = sign_over_box(polynomial, box, strict, budget);
-  if (strict && found.answer == BoxSign::Answer::fails) {
-    // The zero may lie at an end of an interval that the assumptions leave out.
+  if (found.answer == BoxSign::Answer::fails) {
+    // The place may be one that the assumptions leave out: b = 0 where a < b is assumed, too.
     Box declared = box;
     std::erase_if(declared, [&](const auto& side) { return !intervals_.contains(side.first); });
     if (!declared.empty() && declared.size() < box.size()) {
