@@ -122,6 +122,9 @@ TEST_CASE("a Hessian with symbols is refuted by numbers only", "[minimum]") {
 TEST_CASE("assumptions about what is given are used for minima", "[minimum]") {
   const std::string given = bar + "assume same: a == b\n";
   CHECK(verdict(given, "a minimizes L(p) over p where p(0) == a, p(1) == b") == "PROVED");
+  CHECK(verdicts(given + "assume idle: a > 0\n"
+                         "prove m: a minimizes L(p) over p where p(0) == a, p(1) == b\n") ==
+        "m PROVED uses same\n");
   CHECK(verdict(bar, "a minimizes L(p) over p where p(0) == a, p(1) == b") == "ERROR");
   const std::string never = bar + "assume one: a == 1\nassume two: a == 2\n";
   CHECK(verdict(never, "a minimizes L(p) over p where p(0) == a") == "VACUOUS");

@@ -89,6 +89,7 @@ class Minimum {
                                : "not unique: " + std::to_string(size - form.pivots.size()) +
                                      " directions do not change the value"}};
     if (form.pivots.empty()) result.details.erase(result.details.begin() + 1);
+    result.assumptions_used = used();
     cross_check_ = search_.values_as_claim();
     return result;
   }
@@ -107,6 +108,42 @@ class Minimum {
       why = check.why_not;
     }
     return why;
+  }
+
+  // The assumptions that cannot be taken away one by one without losing the proof.
+  std::vector<std::string> used() {
+    MinimumGoal rest = goal_;
+    std::vector<std::string> labels;
+    for (std::size_t k = goal_.goal.assumptions.size(); k-- > 0;) {
+      const Assumption assumption = rest.goal.assumptions[k];
+      rest.goal.assumptions.erase(rest.goal.assumptions.begin() + static_cast<std::ptrdiff_t>(k));
+      if (still_holds(rest)) continue;
+      rest.goal.assumptions.insert(rest.goal.assumptions.begin() + static_cast<std::ptrdiff_t>(k),
+                                   assumption);
+      const std::string name =
+          assumption.label.empty() ? "assumption " + std::to_string(k + 1) : assumption.label;
+      if (std::find(labels.begin(), labels.end(), name) == labels.end()) labels.push_back(name);
+    }
+    std::reverse(labels.begin(), labels.end());
+    return labels;
+  }
+
+  bool still_holds(const MinimumGoal& fewer) {
+    try {
+      MinimumSearch search{fewer, workspace_};
+      if (!search.set_up().empty()) return false;
+      const std::vector<Polynomial>& linear = search.linear_part();
+      const auto hessian = search.hessian();
+      return hessian && search.conditions().size() <= search_.conditions().size() &&
+             std::all_of(linear.begin(), linear.end(),
+                         [](const Polynomial& p) { return p.is_zero(); }) &&
+             quadratic_form(*hessian, workspace_.budget).kind !=
+                 QuadraticForm::Kind::somewhere_negative;
+    } catch (const NoValue&) {
+      return false;
+    } catch (const OutsideTheory&) {
+      return false;
+    }
   }
 
   static void add(const Conditions& conditions, WitnessTarget& target) {
@@ -245,8 +282,7 @@ Decision minimum(const MinimumGoal& goal, const Limits& limits, Engines engines)
   if (opinion.answer == SecondOpinion::Answer::fails) {
     result.verdict = Verdict::internal;
     result.evidence = Evidence::none;
-    result.reason =
-        "the engines disagree about the functional: " + opinion.normal_form;
+    result.reason = "the engines disagree about the functional: " + opinion.normal_form;
   }
   return result;
 }

@@ -145,6 +145,7 @@ void MinimumSearch::expand() {
   std::vector<std::vector<Polynomial::Term>> linear(free_.size());
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Polynomial::Term>> second;
   for (const auto& term : difference_.terms()) {
+    workspace_.budget.spend(1 + free_.size());
     Monomial rest = term.monomial;
     std::vector<std::size_t> factors;
     for (const auto& p : term.monomial.powers()) {
