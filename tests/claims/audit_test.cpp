@@ -103,6 +103,16 @@ TEST_CASE("a derivation needs the assumptions without which its solution is anot
   CHECK(status(audit, "q") == "flagged");
 }
 
+TEST_CASE("a minimum may need assumptions like any other claim") {
+  const CaseAudit audit = audit_of(
+      "  param t in [0, 1]\n  scalar x, y, q[0..2]\n  curve p(t) = bezier(q)\n"
+      "  let L(q) = integral(q_t^2, t in [0, 1])\n  assume spare: x == 1\n  assume end: y == 1\n"
+      "  prove one: t minimizes L(p) over p where p(0) == 0, p(1) == y\n");
+  CHECK(needs(audit, "one").starts_with("spare unneeded, end "));
+  CHECK(status(audit, "spare") == "flagged");
+  CHECK(status(audit, "end") == "needed");
+}
+
 TEST_CASE("nothing is flagged while a claim is undecided or was not looked at") {
   const std::string text =
       "  scalar x\n  assume p: x == 1\n  open one: sqrt(x^2)*sqrt(x^2+1) == sqrt(x^4+x^2)\n";

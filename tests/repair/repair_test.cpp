@@ -172,6 +172,20 @@ TEST_CASE("only equations are repaired", "[reject]") {
   CHECK(joint.reason == "only equations are repaired");
 }
 
+TEST_CASE("a minimum is not repaired, equations of integrals are") {
+  const std::string functional =
+      "  param t in [0, 1]\n  scalar a, q[0..2]\n  curve p(t) = bezier(q)\n"
+      "  let L(q) = integral(q_t^2, t in [0, 1])\n";
+  const Repairs minimum = repairs_in_case(
+      functional + "  refute one: t^2 minimizes L(p) over p where p(0) == 0, p(1) == 1\n");
+  CHECK(minimum.outcome == Repairs::Outcome::not_tried);
+  CHECK(minimum.reason == "only equations are repaired");
+  const Repairs equation =
+      repairs_in_case(functional + "  refute one: integral(s^2, s in [0, a]) == a^3/2\n");
+  CHECK(contains(texts(equation), "integral(s^2, s in [0, a]) == a^3/3"));
+  CHECK(contains(texts(equation), "integral(s^1, s in [0, a]) == a^2/2") == false);
+}
+
 TEST_CASE("of a derivation, check shows what is derived", "[reject]") {
   const Repairs found = repairs_in_case("  scalar x\n  derive one: x from x == 1 gives 2\n");
   CHECK(found.printed == "derive one: x from x == 1 gives 2");

@@ -9,14 +9,17 @@ namespace patchproof {
 
 namespace {
 
+Goal& goal_of(IdentityClaim& claim) { return claim.goal; }
+Goal& goal_of(DeriveClaim& claim) { return claim.goal.goal; }
+Goal& goal_of(MinimumClaim& claim) { return claim.goal.goal; }
+
 Goal& goal_of(Claim& claim) {
-  if (auto* identity = std::get_if<IdentityClaim>(&claim.kind)) return identity->goal;
-  return std::get<DeriveClaim>(claim.kind).goal.goal;
+  return std::visit([](auto& kind) -> Goal& { return goal_of(kind); }, claim.kind);
 }
 
-const Goal& goal_of(const Claim& claim) {
-  if (const auto* identity = std::get_if<IdentityClaim>(&claim.kind)) return identity->goal;
-  return std::get<DeriveClaim>(claim.kind).goal.goal;
+Goal goal_of(const Claim& claim) {
+  Claim copy = claim;
+  return goal_of(copy);
 }
 
 using Ordinals = std::set<unsigned>;
@@ -48,7 +51,7 @@ std::string assumption_name(const std::string& label, std::size_t index) {
 
 std::vector<std::string> assumption_names(const Claim& claim) {
   std::vector<std::string> names;
-  const std::vector<Assumption>& assumptions = goal_of(claim).assumptions;
+  const std::vector<Assumption> assumptions = goal_of(claim).assumptions;
   for (std::size_t k = 0; k < assumptions.size(); ++k) {
     const std::string name = assumption_name(assumptions[k].label, k);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -57,14 +60,15 @@ std::vector<std::string> assumption_names(const Claim& claim) {
 }
 
 std::set<std::string> related_assumptions(const Case& given, const Claim& claim) {
-  const Goal& goal = goal_of(claim);
+  const Goal goal = goal_of(claim);
   Ordinals reached;
   for (const Statement& statement : goal.statements) add_symbols(statement, true, reached);
   std::set<std::string> used;
   add_used(given, claim, used);
   for (const Claim& other : given.claims)
     if (other.verb == "derive" && used.contains(other.label))
-      for (const Statement& statement : goal_of(other).statements)
+      for (const Goal goal_of_other = goal_of(other);
+           const Statement& statement : goal_of_other.statements)
         add_symbols(statement, true, reached);
   std::set<std::string> result;
   std::vector<bool> done(goal.assumptions.size(), false);

@@ -163,6 +163,9 @@ class Canonical {
       const auto* interval = a.binder ? &a.binder->interval : a.interval ? &*a.interval : nullptr;
       if (interval != nullptr)
         text += to_text(sum(*interval->first)) + ".." + to_text(sum(*interval->last));
+      if (a.range)
+        text += a.range->name.text + " in [" + to_text(sum(*a.range->range.lower)) + ", " +
+                to_text(sum(*a.range->range.upper)) + "]";
       text += ", ";
     }
     return text + (e.kind == Kind::call ? ")" : "]");

@@ -135,6 +135,10 @@ class Walk {
     }
     const std::size_t running = running_.size();
     for (const Argument& a : e.arguments) {
+      if (a.range) {
+        visit(*a.range->range.lower, NumberPlace::value);
+        visit(*a.range->range.upper, NumberPlace::value);
+      }
       if (!a.binder) continue;
       // The ends of a running index do not see it.
       ends(a.binder->interval);

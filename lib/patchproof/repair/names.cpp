@@ -19,6 +19,8 @@ std::string kind_of(const Type& type) {
 
 std::string kind_of(const Entity& entity) {
   if (entity.kind == Entity::Kind::faulty) return "";
+  if (entity.kind == Entity::Kind::functional)
+    return "functional of " + std::to_string(entity.functional->formals.size());
   if (entity.kind == Entity::Kind::spline)
     return "spline in " + std::to_string(entity.spline->degrees.size());
   return entity.term.is_number() ? number : kind_of(entity.term.type());
@@ -33,8 +35,9 @@ std::string kind_of(const syntax::Definition& definition) {
 
 const std::vector<std::string> waves{"cos", "sin"};
 
-const std::vector<std::string> matrix_builtins{"transpose",  "row", "column",        "net",
-                                               "bezier_net", "sum", "control_points"};
+const std::vector<std::string> matrix_builtins{
+    "transpose",  "row",            "column",         "net",     "sum",   "product",
+    "bezier_net", "bezier_weights", "control_points", "weights", "knots", "greville"};
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();

@@ -55,7 +55,7 @@ class StatementRepair {
       return not_tried(result, "the statement is longer than " + std::to_string(longest_statement) +
                                    " characters");
     const std::optional<Line> whole = line_of(result.printed);
-    if (printed_.joint || !whole) return not_tried(result, "only equations are repaired");
+    if (printed_.joint || printed_.minimum || !whole) return not_tried(result, "only equations are repaired");
     const Names names{judge_.scope(), library_};
     std::vector<Part> parts;
     for (const syntax::Comparison& comparison : whole->proposition.comparisons) {
