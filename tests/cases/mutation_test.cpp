@@ -47,7 +47,9 @@ bool is_met(const std::string& description, const std::set<std::string>& survivo
 // PATCHPROOF_MUTATE=cases/coons looks at that folder only, which is what its author wants to see.
 std::string chosen_part() {
   const char* part = std::getenv("PATCHPROOF_MUTATE");
-  return part == nullptr ? "" : part;
+  std::string result = part == nullptr ? "" : part;
+  if (!result.empty() && result.back() == '/') result.pop_back();
+  return result;
 }
 
 }  // namespace

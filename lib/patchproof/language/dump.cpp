@@ -1,8 +1,8 @@
-#include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include <patchproof/language/dump.hpp>
+#include <patchproof/language/kind_words.hpp>
 #include <patchproof/language/position_table.hpp>
 
 namespace patchproof {
@@ -10,30 +10,6 @@ namespace {
 
 using namespace syntax;
 using Json = nlohmann::ordered_json;
-
-// In the order of the enumerations.
-
-std::string_view text_of(Expression::Kind kind) {
-  static constexpr std::array<std::string_view, 12> words{
-      "number", "name", "hole",  "sum",       "product", "negation",
-      "power",  "call", "index", "component", "tuple",   "matrix"};
-  return words.at(static_cast<std::size_t>(kind));
-}
-
-std::string_view text_of(Statement::Kind kind) {
-  static constexpr std::array<std::string_view, 23> words{
-      "title", "source", "quote",  "tags",   "limit",   "param", "scalar", "point",
-      "curve", "patch",  "volume", "matrix", "net",    "spline",  "let",   "assume", "family",
-      "prove", "refute", "open",   "derive", "erratum", "show"};
-  return words.at(static_cast<std::size_t>(kind));
-}
-
-std::string_view text_of(FormalType::Kind kind) {
-  static constexpr std::array<std::string_view, 10> words{
-      "scalar", "scalar function", "point",  "curve", "patch",
-      "volume", "net",             "matrix", "list",  "spline"};
-  return words.at(static_cast<std::size_t>(kind));
-}
 
 class Dumper {
  public:
