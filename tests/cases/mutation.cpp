@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <patchproof/claims/verification.hpp>
 #include <patchproof/language/lexer.hpp>
@@ -11,14 +8,6 @@
 namespace patchproof::test {
 
 namespace {
-
-std::optional<std::string> text_of(const std::string& path) {
-  std::ifstream file{path, std::ios::binary};
-  if (!file) return std::nullopt;
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 struct Part {
   std::string id;
@@ -93,7 +82,7 @@ std::string described(const SourceText& source, const Part& part, std::size_t be
 
 ReadFile read(const SourceText& source) {
   return read_cases(std::make_shared<const SourceText>(source), Limits{},
-                    [](const std::string& path) { return text_of(path); });
+                    [](const std::string&) { return std::optional<std::string>{}; });
 }
 
 }  // namespace
@@ -104,19 +93,6 @@ std::vector<SourceText> single_cases(const SourceText& file) {
   for (const syntax::Case& written : parsed.file.cases)
     result.push_back({file.name, file.text.substr(written.span.begin,
                                                   written.span.end - written.span.begin)});
-  return result;
-}
-
-std::vector<SourceText> case_files(const std::string& part) {
-  const std::filesystem::path root = std::filesystem::path{PATCHPROOF_SOURCE_FOLDER} / "cases";
-  std::vector<std::string> paths;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator{root})
-    if (entry.path().extension() == ".proof" &&
-        entry.path().string().find(part, root.parent_path().string().size()) != std::string::npos)
-      paths.push_back(entry.path().string());
-  std::sort(paths.begin(), paths.end());
-  std::vector<SourceText> result;
-  for (const std::string& path : paths) result.push_back({path, text_of(path).value()});
   return result;
 }
 

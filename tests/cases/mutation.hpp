@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <patchproof/language/reader.hpp>
+#include <tests/cases/case_files.hpp>
 
 namespace patchproof::test {
 
@@ -32,9 +33,5 @@ bool is_caught(const SourceText& source, const Mutation& mutation);
 /// Each case of a file as a text of its own, so that checking one change reads one case only. The
 /// files of cases/ have no definitions of their own.
 std::vector<SourceText> single_cases(const SourceText& file);
-
-/// The files below cases/, by path, as the program reads them; only those whose path contains
-/// `part`.
-std::vector<SourceText> case_files(const std::string& part = "");
 
 }  // namespace patchproof::test

@@ -54,12 +54,7 @@ std::string chosen_part() {
 
 }  // namespace
 
-// All changes take minutes under the sanitizers, which only have to see the code run.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::size_t every = 40;
-#else
-constexpr std::size_t every = 1;
-#endif
+constexpr std::size_t every = sanitized ? 200 : 1;
 
 TEST_CASE("changing one sign, number, index or hypothesis of cases/ is noticed") {
   const std::map<std::string, std::string> explained = explained_survivors(chosen_part());

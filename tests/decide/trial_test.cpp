@@ -2,7 +2,8 @@
 
 #include <patchproof/claims/verification.hpp>
 #include <patchproof/decide/trial.hpp>
-#include <tests/cases/mutation.hpp>
+#include <patchproof/language/reader.hpp>
+#include <tests/cases/case_files.hpp>
 
 namespace patchproof::test {
 
@@ -20,6 +21,7 @@ TEST_CASE("a quick look turns nothing down that is proved, and every equation th
           "[law]") {
   std::size_t count = 0;
   for (const std::string part : {"lee", "ruled", "hermite/", "bilinear"}) {
+    if (sanitized && part != "hermite/") continue;
     for (const SourceText& source : case_files(part)) {
       const ReadFile file =
           read_cases(std::make_shared<const SourceText>(source), Limits{},
@@ -43,7 +45,7 @@ TEST_CASE("a quick look turns nothing down that is proved, and every equation th
       }
     }
   }
-  CHECK(count > 100);
+  CHECK((sanitized || count > 100));
 }
 
 }  // namespace patchproof::test

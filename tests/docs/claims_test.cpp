@@ -4,7 +4,8 @@
 #include <set>
 #include <sstream>
 
-#include <tests/cases/mutation.hpp>
+#include <patchproof/language/reader.hpp>
+#include <tests/cases/case_files.hpp>
 #include <tests/docs/claims_page.hpp>
 
 namespace patchproof::test {
@@ -37,6 +38,7 @@ Results decided_cases() {
 }  // namespace
 
 TEST_CASE("docs/claims.md has a row for every item of the notes, with the verdicts of the cases") {
+  if (sanitized) return;  // it needs every case
   const std::vector<Item> items = items_of(text_of(PATCHPROOF_SOURCE_FOLDER "/cases/items.tsv"));
   const Results results = decided_cases();
   std::set<std::string> ids;
