@@ -123,6 +123,28 @@ TEST_CASE("a matrix is transposed, a curve reversed, arguments exchanged") {
   CHECK(contains(texts(exchanged), "ruled(C1, C2)(u, 0) == C1(u)"));
 }
 
+TEST_CASE("a curve that runs the wrong way is named, as one change") {
+  const std::string curves =
+      "  param u, v in [0, 1]\n  curve Q0(u) = (3*u, 0), Q1(u) = (3*(1-u), 2)\n"
+      "  curve P0(v) = (0, 2*v), P1(v) = (3, 2*v)\n";
+  const Repairs corners = repairs_in_case(
+      curves +
+      "  refute closed: Q0(0) == P0(0), Q0(1) == P1(0), Q1(0) == P0(1), Q1(1) == P1(1)\n");
+  REQUIRE(corners.repairs.size() == 1);
+  CHECK(corners.repairs[0].reversed == "Q1");
+  CHECK(corners.repairs[0].size() == 1);
+  CHECK(texts(corners) ==
+        Texts{"Q0(0) == P0(0), Q0(1) == P1(0), Q1(1) == P0(1), Q1(0) == P1(1)"});
+  const Repairs edges = repairs_in_case(
+      curves + "  refute north: coons(Q0, Q1, P0, P1)(u,1) == Q1(u), Q1(0) == P0(1)\n");
+  REQUIRE(edges.repairs.size() == 1);
+  CHECK(texts(edges) == Texts{"coons(Q0, Q1(1-u), P0, P1)(u,1) == Q1(1-u), Q1(1) == P0(1)"});
+  // A derivative would change its sign: such a curve is left alone.
+  const Repairs slopes =
+      repairs_in_case(curves + "  refute slope: Q1'(0) == (3, 0), Q1(0) == P0(1)\n");
+  for (const Repair& repair : slopes.repairs) CHECK(repair.reversed.empty());
+}
+
 TEST_CASE("a running index of the claim is a name like others") {
   const Repairs found = repairs_in_case(
       "  family n in 2..3\n  point b[0..n, 0..n]\n  net c[i,j] = b[i,j] for i in 0..n, j in 0..n\n"

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
+#include <patchproof/repair/orientation.hpp>
 #include <patchproof/repair/search.hpp>
 
 namespace patchproof {
@@ -57,9 +59,29 @@ class StatementRepair {
     const std::optional<Line> whole = line_of(result.printed);
     if (printed_.joint || printed_.minimum || !whole) return not_tried(result, "only equations are repaired");
     const Names names{judge_.scope(), library_};
+    for (const Reversal& reversal : reversals_of(*whole, names)) {
+      budget_.spend();
+      decide(reversal.edits, reversal.curve, result);
+    }
+    std::vector<Repair> reversed = std::exchange(result.repairs, {});
+    try {
+      search_parts(*whole, names, result);
+    } catch (const SearchStopped&) {
+      if (reversed.empty()) throw;
+    }
+    // One curve taken backwards is less than two changes.
+    const bool less = result.repairs.empty() || result.repairs.front().size() > 1;
+    if (!reversed.empty() && less && result.outcome != Repairs::Outcome::internal) {
+      result.repairs = std::move(reversed);
+      result.complete = true;
+      finish(result);
+    }
+  }
+
+  void search_parts(const Line& whole, const Names& names, Repairs& result) {
     std::vector<Part> parts;
-    for (const syntax::Comparison& comparison : whole->proposition.comparisons) {
-      const std::optional<Line> line = line_of(whole->text_of(comparison.span));
+    for (const syntax::Comparison& comparison : whole.proposition.comparisons) {
+      const std::optional<Line> line = line_of(whole.text_of(comparison.span));
       if (!line || judge_.may_hold(line->proposition)) continue;
       const bool is_equation = std::all_of(comparison.operators.begin(), comparison.operators.end(),
                                            [](const std::string& sign) { return sign == "=="; });
@@ -90,7 +112,7 @@ class StatementRepair {
       result.complete = false;
       return;
     }
-    if (next == parts.size()) return decide(chosen, result);
+    if (next == parts.size()) return decide(chosen, "", result);
     const std::size_t before = chosen.size();
     for (const std::vector<Edit>& way : parts[next].ways) {
       for (Edit edit : way) {
@@ -103,14 +125,14 @@ class StatementRepair {
     }
   }
 
-  void decide(const std::vector<Edit>& edits, Repairs& result) {
+  void decide(const std::vector<Edit>& edits, const std::string& curve, Repairs& result) {
     const std::string text = changed(result.printed, edits);
     const std::optional<Line> line = line_of(text);
     if (!line) return;
     const CandidateJudge::Verdicts verdicts = judge_.decided(line->proposition);
     if (verdicts.verdict != Verdict::proved && verdicts.verdict != Verdict::proved_if) return;
     result.repairs.push_back(
-        {edits, text, verdicts.verdict, verdicts.evidence, verdicts.conditions});
+        {edits, text, verdicts.verdict, verdicts.evidence, verdicts.conditions, curve});
   }
 
   static void finish(Repairs& result) {

@@ -19,6 +19,11 @@ struct Repair {
   Verdict verdict = Verdict::proved;
   Evidence evidence = Evidence::none;
   std::vector<std::string> conditions;
+  /// The curve that is taken backwards everywhere, which counts as one change; "" for others.
+  std::string reversed;
+
+  /// How many changes a person would count.
+  std::size_t size() const { return reversed.empty() ? edits.size() : 1; }
 };
 
 /// What became of the search for a false statement.

@@ -47,6 +47,7 @@ Json to_json(const Repairs& statement) {
   for (const Repair& repair : statement.repairs)
     repairs.push_back({{"text", repair.text},
                        {"changes", changes_of(repair, statement.printed)},
+                       {"reversed", text_or_null(repair.reversed)},
                        {"verdict", to_text(repair.verdict)},
                        {"evidence", to_text(repair.evidence)},
                        {"conditions", repair.conditions}});

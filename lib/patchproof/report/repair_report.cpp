@@ -36,7 +36,7 @@ std::string headline(const Repairs& statement) {
            (statement.outcome == Repairs::Outcome::not_tried ? "not tried: " : "no repair: ") +
            statement.reason + "\n";
   text += counted(statement.repairs.size(), "repair", "repairs") + " of " +
-          counted(statement.repairs.front().edits.size(), "change", "changes");
+          counted(statement.repairs.front().size(), "change", "changes");
   if (!statement.complete)
     text +=
         ", perhaps more: stopped after " + std::to_string(statement.tried) + " changed statements";
@@ -45,8 +45,11 @@ std::string headline(const Repairs& statement) {
 
 std::string in_words(const Repair& repair, const std::string& printed) {
   std::string text;
-  for (const Edit& edit : repair.edits)
-    text += (text.empty() ? "" : ", ") + in_words(printed, edit);
+  if (!repair.reversed.empty())
+    text = repair.reversed + " taken backwards (reversed)";
+  else
+    for (const Edit& edit : repair.edits)
+      text += (text.empty() ? "" : ", ") + in_words(printed, edit);
   text += ": " + to_text(repair.verdict);
   for (std::size_t k = 0; k < repair.conditions.size(); ++k)
     text += (k == 0 ? " " : ", ") + repair.conditions[k];
