@@ -204,4 +204,76 @@ TEST_CASE("nested functions end within the limits") {
   CHECK(verdicts_of(text, limits).rfind("p ", 0) == 0);
 }
 
+TEST_CASE("the variables of two integrals over one range stay apart") {
+  CHECK(verdicts_of(R"(
+case c
+  param u, v in [0, 1]
+  scalar z(u, v) : C^0
+  scalar f(u) : C^0
+  assume f(u) == integral(z(u,v), v in [0, 1])
+  prove diagonal: integral(f(u), u in [0, 1]) == integral(z(u,u), u in [0, 1])
+  prove square: integral(f(u)^2, u in [0, 1]) == integral(z(u,u), u in [0, 1])^2
+end
+)")
+            .find("PROVED") == std::string::npos);
+  // The value is 1/6.
+  CHECK(verdicts_of(R"(
+case c
+  param u, v in [0, 1]
+  scalar z(u, v) : C^0
+  scalar f(u) : C^0
+  assume f(u) == integral(z(u,v), v in [0, 1])
+  assume z(u,v) == (u - v)^2
+  prove wrong: integral(f(u), u in [0, 1]) == 0
+end
+)")
+            .find("wrong PROVED") == std::string::npos);
+}
+
+TEST_CASE("what is known for v in [0, u] is not known above the diagonal") {
+  // w = max(0, v - u) satisfies the assumption.
+  CHECK(verdicts_of(R"(
+case c
+  param u in [0, 1], v in [0, u]
+  scalar w(u, v) : C^0
+  assume w(u,v) == 0
+  prove edge: w(0,u) == 0
+  prove mirrored: w(v,u) == 0
+  prove line: integral(w(0,v), v in [0, u]) == 0
+end
+)")
+            .find("PROVED") == std::string::npos);
+  CHECK(verdicts_of(R"(
+case c
+  param u in [0, 1], v in [0, u]
+  scalar w(u, v) : C^0
+  assume w(u,v) == 0
+  prove itself: w(u,v) == 0
+  prove diagonal: w(u,u) == 0
+end
+)") == "itself PROVED uses assumption 1\ndiagonal PROVED uses assumption 1\n");
+}
+
+TEST_CASE("an equation holds only where the assumed inequalities do") {
+  Limits limits;
+  limits.steps = 200'000;
+  const std::string answers = verdicts_of(R"(
+case c
+  param u, v in [0, 1]
+  scalar w(u, v) : C^1
+  assume u + v <= 1, w(u,v) == 0
+  prove corner: w(1,1) == 0
+  prove all: integral(w(u,v), u in [0, 1], v in [0, 1]) == 0
+end
+case d
+  param u in [0, 1]
+  scalar f(u) : C^0
+  assume u <= 1/2, f(u) == 0
+  prove end: f(1) == 0
+end
+)",
+                                          limits);
+  CHECK(answers.find("PROVED") == std::string::npos);
+}
+
 }  // namespace patchproof

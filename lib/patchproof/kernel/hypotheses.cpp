@@ -33,6 +33,7 @@ Hypotheses::Hypotheses(const Goal& goal, const std::vector<bool>& enabled, Evalu
                        Workspace& workspace)
     : workspace_{workspace} {
   add_ranges(goal, evaluator);
+  find_restricted(goal, enabled, evaluator);
   for (std::size_t k = 0; k < goal.assumptions.size(); ++k) {
     const Statement& statement = goal.assumptions[k].statement;
     if (!enabled[k] || statement.relation != Relation::equal) continue;
@@ -60,7 +61,16 @@ void Hypotheses::add_equation(const Polynomial& equation, const std::string& nam
     contradictory_ = true;
     return;
   }
-  const bool solved = parameters_in(rest).empty()
+  const std::set<Variable> named = parameters_in(rest);
+  const auto held_back = std::find_if(named.begin(), named.end(),
+                                      [&](Variable v) { return ordered_.contains(v); });
+  if (held_back != named.end()) {
+    left_out_.push_back(name + " holds only where the assumed inequalities do, which restrict '" +
+                        workspace_.atoms[*held_back].symbol->name + "'");
+    unsolved_.push_back(rest);
+    return;
+  }
+  const bool solved = named.empty()
                           ? replace_variable(rest)
                           : define_function(rest) || define_edge(rest) ||
                                 split_by_parameters(rest, name);
@@ -183,17 +193,13 @@ std::optional<Hypotheses::Definition> Hypotheses::definition(const Symbol& funct
   return found->second;
 }
 
-void Hypotheses::require_in_range(Variable parameter, const Fraction& argument) const {
-  if (!is_in_range(parameter, argument))
+Fraction Hypotheses::function_value(const Definition& definition, const Atom& jet) {
+  if (!are_in_range(definition.parameters, jet.arguments))
     throw OutsideTheory{
         "an assumption about a function is known only for parameters in their range"};
-}
-
-Fraction Hypotheses::function_value(const Definition& definition, const Atom& jet) {
   Fraction result = definition.value;
   std::map<Variable, Fraction> arguments;
   for (std::size_t k = 0; k < definition.parameters.size(); ++k) {
-    require_in_range(definition.parameters[k], jet.arguments[k]);
     if (jet.orders[k] > 0) require_proper_ranges(Polynomial::variable(definition.parameters[k]));
     for (int order = 0; order < jet.orders[k]; ++order)
       result = derivative(result, definition.parameters[k], conditions_, workspace_);

@@ -76,6 +76,7 @@ class Hypotheses {
   };
 
   void add_ranges(const Goal& goal, Evaluator& evaluator);
+  void find_restricted(const Goal& goal, const std::vector<bool>& enabled, Evaluator& evaluator);
   void add_equation(const Polynomial& equation, const std::string& name);
   bool define_function(const Polynomial& equation);
   bool define_edge(const Polynomial& equation);
@@ -89,9 +90,10 @@ class Hypotheses {
   Fraction function_value(const Definition& definition, const Atom& jet);
   /// The jet by what is assumed on an edge it lies on; empty when it lies on none.
   std::optional<Fraction> edge_value(const Atom& jet);
-  void require_in_range(Variable parameter, const Fraction& argument) const;
-  /// Whether the argument is shown to lie in the range of the parameter.
-  bool is_in_range(Variable parameter, const Fraction& argument) const;
+  /// Whether the arguments are shown to lie in the ranges of the parameters they stand for, also
+  /// where the ends of one range contain other parameters: v in [0, u].
+  bool are_in_range(const std::vector<Variable>& parameters,
+                    const std::vector<Fraction>& arguments) const;
 
   Workspace& workspace_;
   std::map<Variable, Range> ranges_;
@@ -104,8 +106,11 @@ class Hypotheses {
   bool contradictory_ = false;
   std::vector<std::string> left_out_;
   std::vector<Polynomial> unsolved_;
-  /// Parameters that inequalities are about.
+  /// Parameters that inequalities are about, and those that an order is about: where u <= v holds
+  /// may be so little that an equation there says nothing of other places. u != v leaves out too
+  /// little to matter to continuous functions.
   std::set<Variable> restricted_;
+  std::set<Variable> ordered_;
 };
 
 /// All variables of the polynomial and of the arguments of its atoms, at any depth.

@@ -20,21 +20,35 @@ std::optional<Variable> bare_variable(const Fraction& fraction) {
 
 }  // namespace
 
-// The variable of an integral runs between its ends, in whichever order they are.
-bool Hypotheses::is_in_range(Variable parameter, const Fraction& argument) const {
-  const auto range = ranges_.find(parameter);
-  const std::optional<Variable> bare = bare_variable(argument);
-  if (range == ranges_.end() || bare == parameter) return true;
-  const bool running = bare && workspace_.atoms[*bare].kind == Atom::Kind::running;
-  const std::vector<Fraction> places =
-      running ? workspace_.atoms[*bare].arguments : std::vector<Fraction>{argument};
-  return std::all_of(places.begin(), places.end(), [&](const Fraction& place) {
-    const Fraction above = difference(place, range->second.low, workspace_.budget);
-    const Fraction below = difference(range->second.high, place, workspace_.budget);
-    return above.is_polynomial() && below.is_polynomial() &&
-           facts_.never_negative(above.numerator(), workspace_.budget) &&
-           facts_.never_negative(below.numerator(), workspace_.budget);
-  });
+bool Hypotheses::are_in_range(const std::vector<Variable>& parameters,
+                              const std::vector<Fraction>& arguments) const {
+  std::map<Variable, Fraction> moved;
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    if (bare_variable(arguments[k]) != parameters[k]) moved.emplace(parameters[k], arguments[k]);
+  Substitution at_arguments{moved, workspace_};
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const auto range = ranges_.find(parameters[k]);
+    if (range == ranges_.end()) continue;
+    const Fraction low = at_arguments(range->second.low);
+    const Fraction high = at_arguments(range->second.high);
+    const bool ends_stay = !(low < range->second.low) && !(range->second.low < low) &&
+                           !(high < range->second.high) && !(range->second.high < high);
+    if (ends_stay && !moved.contains(parameters[k])) continue;
+    // The variable of an integral runs between its ends, in whichever order they are.
+    const std::optional<Variable> bare = bare_variable(arguments[k]);
+    const bool running = bare && workspace_.atoms[*bare].kind == Atom::Kind::running;
+    const std::vector<Fraction> places =
+        running ? workspace_.atoms[*bare].arguments : std::vector<Fraction>{arguments[k]};
+    const bool inside = std::all_of(places.begin(), places.end(), [&](const Fraction& place) {
+      const Fraction above = difference(place, low, workspace_.budget);
+      const Fraction below = difference(high, place, workspace_.budget);
+      return above.is_polynomial() && below.is_polynomial() &&
+             facts_.never_negative(above.numerator(), workspace_.budget) &&
+             facts_.never_negative(below.numerator(), workspace_.budget);
+    });
+    if (!inside) return false;
+  }
+  return true;
 }
 
 // r(u,0) = ... for all u: r occurs once, at numbers and at all the bare parameters.
@@ -99,12 +113,10 @@ std::optional<Fraction> Hypotheses::edge_value(const Atom& jet) {
                constant_of(jet.arguments[k]) == edge.fixed[k];
         continue;
       }
-      const Variable parameter = edge.definition.parameters[along.arguments.size()];
-      fits = fits && is_in_range(parameter, jet.arguments[k]);
       along.orders.push_back(jet.orders[k]);
       along.arguments.push_back(jet.arguments[k]);
     }
-    if (!fits) continue;
+    if (!fits || !are_in_range(edge.definition.parameters, along.arguments)) continue;
     try {
       return function_value(edge.definition, along);
     } catch (const std::domain_error&) {

@@ -32,6 +32,23 @@ void Hypotheses::require_unrestricted(const Polynomial& polynomial) const {
                           "', so it is not clear for how many of its values the equations hold"};
 }
 
+void Hypotheses::find_restricted(const Goal& goal, const std::vector<bool>& enabled,
+                                 Evaluator& evaluator) {
+  for (std::size_t k = 0; k < goal.assumptions.size(); ++k) {
+    const Statement& statement = goal.assumptions[k].statement;
+    if (!enabled[k] || statement.relation == Relation::equal) continue;
+    std::set<Variable> named;
+    for (const Term& side : {statement.left, statement.right})
+      for (const Fraction& component : evaluator.value(side).components) {
+        named.merge(parameters_in(component.numerator()));
+        for (const auto& [factor, exponent] : component.denominator())
+          named.merge(parameters_in(factor));
+      }
+    if (statement.relation != Relation::not_equal) ordered_.insert(named.begin(), named.end());
+    restricted_.merge(named);
+  }
+}
+
 void Hypotheses::add_facts(const Goal& goal, const std::vector<bool>& enabled,
                            Evaluator& evaluator) {
   const auto add = [&](const Fraction& fraction, bool strict) {
@@ -54,9 +71,6 @@ void Hypotheses::add_facts(const Goal& goal, const std::vector<bool>& enabled,
         difference(left.components.front(), right.components.front(), workspace_.budget);
     const Fraction down =
         difference(right.components.front(), left.components.front(), workspace_.budget);
-    for (std::size_t c = 0; c < left.components.size(); ++c)
-      for (const Fraction& side : {left.components[c], right.components[c]})
-        restricted_.merge(parameters_in(side.numerator()));
     switch (statement.relation) {
       case Relation::not_equal:
         // For points of known dimension only some component differs: nothing usable follows.

@@ -91,6 +91,35 @@ bool depends(const Polynomial& polynomial, const IntegrationRanges& ranges, cons
   });
 }
 
+std::vector<Polynomial> parts_of(const Fraction& fraction) {
+  std::vector<Polynomial> result{fraction.numerator()};
+  for (const auto& [factor, exponent] : fraction.denominator()) result.push_back(factor);
+  return result;
+}
+
+std::set<Variable> all_variables_within(const Polynomial& polynomial, const Atoms& atoms) {
+  std::set<Variable> result;
+  std::vector<Polynomial> open{polynomial};
+  while (!open.empty()) {
+    const std::set<Variable> found = open.back().variables();
+    open.pop_back();
+    for (const Variable v : found) {
+      if (!result.insert(v).second) continue;
+      for (const Fraction& argument : atoms[v].arguments)
+        for (Polynomial& part : parts_of(argument)) open.push_back(std::move(part));
+    }
+  }
+  return result;
+}
+
+std::set<Variable> free_running(const Polynomial& polynomial, const Atoms& atoms) {
+  std::set<Variable> result;
+  for (const Variable v : all_variables_within(polynomial, atoms))
+    if (atoms[v].kind == Atom::Kind::running && depends(polynomial, {{v, {}, {}}}, atoms))
+      result.insert(v);
+  return result;
+}
+
 void require_plain(const Monomial& monomial, const Atoms& atoms) {
   require_plain(Fraction{Polynomial::from_terms({{monomial, 1}})}, atoms);
 }

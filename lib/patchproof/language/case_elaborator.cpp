@@ -8,6 +8,12 @@ namespace {
 
 using WrittenStatement = syntax::Statement;
 
+// 0 stands for no limit.
+template <typename Amount>
+void lower(Amount& limit, Amount to) {
+  limit = limit == Amount{} ? to : std::min(limit, to);
+}
+
 void set_limit(const WrittenStatement& statement, Limits& limits, std::vector<Diagnostic>& diagnostics) {
   const std::string kind = statement.limit_kind ? statement.limit_kind->text : "";
   const std::string unit = statement.limit_unit ? statement.limit_unit->text : "";
@@ -20,20 +26,27 @@ void set_limit(const WrittenStatement& statement, Limits& limits, std::vector<Di
     diagnostics.push_back({statement.limit_unit->span, "unknown unit '" + unit + "'", expected});
   };
   const Rational most{1'000'000'000'000LL};
+  const Rational smallest = kind == "memory"                 ? Rational{1, 1'048'576}
+                            : kind == "time" && unit != "ms" ? Rational{1, 1000}
+                                                             : Rational{1};
+  if (value < smallest) {
+    diagnostics.push_back(
+        {statement.span, "a limit is more than 0", "leave it out for no limit of its own"});
+    return;
+  }
   if (kind == "time") {
     if (!unit.empty() && unit != "s" && unit != "ms") return wrong_unit("time is given in s or ms");
     const Rational milliseconds = unit == "ms" ? value : Rational{value * 1000};
-    limits.time = std::min(limits.time,
-                           std::chrono::milliseconds{whole(milliseconds, Rational{86'400'000})});
+    lower(limits.time, std::chrono::milliseconds{whole(milliseconds, Rational{86'400'000})});
   } else if (kind == "memory") {
     if (!unit.empty() && unit != "MB" && unit != "GB")
       return wrong_unit("memory is given in MB or GB");
-    limits.memory = std::min<std::size_t>(
-        limits.memory, whole(value * (unit == "GB" ? 1'073'741'824 : 1'048'576), most));
+    lower<std::size_t>(limits.memory,
+                       whole(value * (unit == "GB" ? 1'073'741'824 : 1'048'576), most));
   } else if (kind == "terms") {
-    limits.terms = std::min<std::size_t>(limits.terms, whole(value, most));
+    lower<std::size_t>(limits.terms, whole(value, most));
   } else {
-    limits.steps = std::min(limits.steps, whole(value, most));
+    lower(limits.steps, whole(value, most));
   }
 }
 
