@@ -18,7 +18,7 @@ struct ClaimReader::Place {
 
 ClaimReader::ClaimReader(const syntax::Case& written, const syntax::Statement& claim,
                          const Library& library)
-    : written_{written}, claim_{claim}, library_{library} {
+    : written_{written}, claim_{claim} {
   for (const CaseInstance& instance : instances_of(written, library))
     places_.push_back(std::make_unique<Place>(library, instance));
 }

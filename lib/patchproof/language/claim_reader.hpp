@@ -39,7 +39,6 @@ class ClaimReader {
 
   const syntax::Case& written_;
   const syntax::Statement& claim_;
-  const Library& library_;
   std::vector<std::unique_ptr<Place>> places_;
 };
 
