@@ -38,7 +38,10 @@ Results decided_cases() {
 }  // namespace
 
 TEST_CASE("docs/claims.md has a row for every item of the notes, with the verdicts of the cases") {
-  if (sanitized) return;  // it needs every case
+  if (sanitized) {
+    SUCCEED("it needs every case, which the other builds decide");
+    return;
+  }
   const std::vector<Item> items = items_of(text_of(PATCHPROOF_SOURCE_FOLDER "/cases/items.tsv"));
   const Results results = decided_cases();
   std::set<std::string> ids;
