@@ -179,4 +179,18 @@ TEST_CASE("conditions on numbers are decided, not left open") {
   CHECK(verdict("", "1/" + zero + " == 1/" + zero) == "UNKNOWN");
 }
 
+TEST_CASE("a condition on a parameter that the claim does not name is one on all its values") {
+  CHECK(verdicts_of(R"(
+case c
+  param t in [0, 1]
+  scalar a, x, y
+  assume given: y == x/(a - t)
+  prove named: y*(a - t) == x
+  prove value: y*(a - 1/2) == x
+end
+)") ==
+        "named PROVED IF {a - t != 0} uses given\n"
+        "value PROVED IF {a - t != 0 for all t} uses given\n");
+}
+
 }  // namespace patchproof

@@ -185,4 +185,28 @@ TEST_CASE("values on an edge hold along the edge and inside the range only", "[i
   CHECK(verdict(torn, "h(u,0) == 0") != "PROVED");
 }
 
+TEST_CASE("the root of the integral of a square has a value") {
+  CHECK(verdicts_of(R"(
+case c
+  param u in [0, 1]
+  scalar f(t) : C^0
+  prove squared: sqrt(integral(f(t)^2, t in [0, 1]))^2 == integral(f(t)^2, t in [0, 1])
+end
+)") == "squared PROVED\n");
+}
+
+TEST_CASE("a definition may integrate over a variable of its own") {
+  CHECK(verdicts_of(R"(
+define mean(C : curve(u), a : scalar) : scalar
+  = integral(C(s), s in [0, a])/a
+end
+case c
+  param u in [0, 1]
+  curve C(u) = u^2
+  prove value: mean(C, 3) == 3
+  refute other: mean(C, 3) == 9
+end
+)") == "value PROVED\nother REFUTED\n");
+}
+
 }  // namespace patchproof

@@ -276,4 +276,34 @@ end
   CHECK(answers.find("PROVED") == std::string::npos);
 }
 
+TEST_CASE("a function known on a diagonal only may have any derivatives there") {
+  CHECK(verdicts_of(R"(
+case c
+  param u in [0, 1], v in [u, u]
+  scalar w(u, v) : C^1
+  assume w(u,v) == u
+  prove along: w_u(u,v) == 1
+  prove itself: w(u,v) == u
+end
+case d
+  scalar a
+  param u in [0, 1], v in [u, a*u]
+  scalar w(u, v) : C^1
+  assume w(u,v) == u
+  prove along: w_u(u,v) == 1
+end
+case e
+  param u in [0, 1], v in [0, u]
+  scalar w(u, v) : C^2
+  assume w(u,v) == u*v
+  prove along: w_u(u,v) == v
+  prove across: w_v(u,v) == u
+end
+)") ==
+        "along UNKNOWN (the range of 'v' may be a single point; assume that its ends differ)\n"
+        "itself PROVED uses assumption 1\n"
+        "along UNKNOWN (the range of 'v' may be a single point; assume that its ends differ)\n"
+        "along PROVED uses assumption 1\nacross PROVED uses assumption 1\n");
+}
+
 }  // namespace patchproof

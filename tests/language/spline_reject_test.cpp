@@ -261,4 +261,26 @@ bad.proof:14:21: error: index 5 is outside 0..4
 )~");
 }
 
+TEST_CASE("knots of which it can be told that they do not increase are rejected",
+          "[language][reject]") {
+  CHECK(type_messages(R"~(  point d[0..3]
+  scalar a
+  spline A = bspline(d, degree 1, knots [0, 0, sqrt(4), 2, 5, 5])
+  spline B = bspline(d, degree 1, knots [0, 0, sqrt(2), 1, 5, 5])
+  spline C = bspline(d, degree 1, knots [a, a, a + 2, a + 1, 5, 5])
+  spline D = bspline(d, degree 1, knots [0, 0, 1, sqrt(2), a, a])
+)~") ==
+        R"~(bad.proof:4:57: error: this knot is equal to one before it
+     4 |   spline A = bspline(d, degree 1, knots [0, 0, sqrt(4), 2, 5, 5])
+       |                                                         ^
+       = help: equal knots are written alike
+bad.proof:5:57: error: knots must not decrease
+     5 |   spline B = bspline(d, degree 1, knots [0, 0, sqrt(2), 1, 5, 5])
+       |                                                         ^
+bad.proof:6:55: error: knots must not decrease
+     6 |   spline C = bspline(d, degree 1, knots [a, a, a + 2, a + 1, 5, 5])
+       |                                                       ^^^^^
+)~");
+}
+
 }  // namespace patchproof

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <patchproof/decide/consistency.hpp>
 #include <patchproof/decide/decide.hpp>
 #include <patchproof/decide/guard.hpp>
 #include <patchproof/decide/sign_words.hpp>
@@ -12,8 +13,6 @@
 namespace patchproof {
 
 namespace {
-
-constexpr int most_attempts = 8;
 
 class Identity {
  public:
@@ -39,43 +38,16 @@ class Identity {
  private:
   Decision proof(const Finding& found) {
     Decision result;
-    if (const std::string doubt = inconsistency(found.conditions); !doubt.empty()) {
+    if (const std::string doubt = inconsistency(goal_, found.conditions, hypotheses_, workspace_); !doubt.empty()) {
       result.reason = "no values are known for which all assumptions and conditions hold: " + doubt;
       return result;
     }
     result.verdict = found.conditions.empty() ? Verdict::proved : Verdict::proved_if;
     result.evidence = Evidence::kernel;
-    result.conditions = in_words(found.conditions, workspace_);
+    result.conditions = in_words(found.conditions, goal_.statements, workspace_);
     result.assumptions_used = used(found);
     result.subdivision = found.tree;
     return result;
-  }
-
-  // Why no values are known that satisfy all assumptions and conditions; "" when there are some.
-  // Without that a proof may be about nothing at all.
-  std::string inconsistency(const Conditions& conditions) {
-    if (goal_.assumptions.empty() && conditions.empty()) return "";
-    std::string why = "no example was found";
-    WitnessTarget target;
-    add(conditions, target);
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
-      const std::optional<Witness> model =
-          find_witness(goal_, target, hypotheses_, workspace_, attempt);
-      if (!model) continue;
-      const WitnessCheck check = checked(goal_, *model, workspace_.budget);
-      if (check.consistent) return "";
-      why = check.why_not;
-    }
-    return why;
-  }
-
-  static void add(const Conditions& conditions, WitnessTarget& target) {
-    for (const Condition& c : conditions) {
-      if (c.kind == Condition::Kind::not_zero)
-        target.not_zero.push_back(c.polynomial);
-      else
-        target.inequalities.push_back({c.polynomial, false});
-    }
   }
 
   // The assumptions that cannot be taken away one by one without losing the proof.

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <patchproof/decide/consistency.hpp>
 #include <patchproof/decide/decide.hpp>
 #include <patchproof/decide/guard.hpp>
 #include <patchproof/decide/minimum_search.hpp>
@@ -14,8 +15,6 @@
 namespace patchproof {
 
 namespace {
-
-constexpr int most_attempts = 8;
 
 std::string size_in_words(std::size_t n) { return std::to_string(n) + " x " + std::to_string(n); }
 
@@ -72,7 +71,7 @@ class Minimum {
   Decision proof(const QuadraticForm& form) {
     Decision result;
     Conditions conditions = search_.conditions();
-    if (const std::string doubt = inconsistency(conditions); !doubt.empty()) {
+    if (const std::string doubt = inconsistency(goal_.goal, conditions, search_.hypotheses(), workspace_); !doubt.empty()) {
       result.reason = "no values are known for which all assumptions and conditions hold: " + doubt;
       return result;
     }
@@ -92,22 +91,6 @@ class Minimum {
     result.assumptions_used = used();
     cross_check_ = search_.values_as_claim();
     return result;
-  }
-
-  std::string inconsistency(const Conditions& conditions) {
-    if (goal_.goal.assumptions.empty() && conditions.empty()) return "";
-    std::string why = "no example was found";
-    WitnessTarget target;
-    add(conditions, target);
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
-      const std::optional<Witness> model =
-          find_witness(goal_.goal, target, search_.hypotheses(), workspace_, attempt);
-      if (!model) continue;
-      const WitnessCheck check = checked(goal_.goal, *model, workspace_.budget);
-      if (check.consistent) return "";
-      why = check.why_not;
-    }
-    return why;
   }
 
   // The assumptions that cannot be taken away one by one without losing the proof.
@@ -143,15 +126,6 @@ class Minimum {
       return false;
     } catch (const OutsideTheory&) {
       return false;
-    }
-  }
-
-  static void add(const Conditions& conditions, WitnessTarget& target) {
-    for (const Condition& c : conditions) {
-      if (c.kind == Condition::Kind::not_zero)
-        target.not_zero.push_back(c.polynomial);
-      else
-        target.inequalities.push_back({c.polynomial, false});
     }
   }
 

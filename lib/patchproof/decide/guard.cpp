@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <new>
+#include <set>
 
+#include <patchproof/kernel/hypotheses.hpp>
 #include <patchproof/kernel/readable.hpp>
+#include <patchproof/term/replacement.hpp>
 
 namespace patchproof {
 
@@ -38,20 +41,51 @@ Decision guarded(const Limits& limits, const std::function<Decision(Workspace&)>
   return result;
 }
 
+namespace {
+
+std::string in_words(const Condition& condition, Workspace& workspace) {
+  const bool not_zero = condition.kind == Condition::Kind::not_zero;
+  const Polynomial& p = condition.polynomial;
+  // A positive leading sign would read "b - a != 0" where "a != b" is meant.
+  std::string text = to_text(Fraction{p}, workspace.atoms, workspace.budget, 300);
+  if (not_zero && text.front() == '-')
+    text = to_text(Fraction{scaled(p, -1)}, workspace.atoms, workspace.budget, 300);
+  return text + (not_zero ? " != 0" : " >= 0");
+}
+
+std::vector<std::string> in_order(std::vector<std::string> words) {
+  std::sort(words.begin(), words.end());
+  words.erase(std::unique(words.begin(), words.end()), words.end());
+  return words;
+}
+
+}  // namespace
+
 std::vector<std::string> in_words(const Conditions& conditions, Workspace& workspace) {
   std::vector<std::string> result;
+  for (const Condition& condition : conditions) result.push_back(in_words(condition, workspace));
+  return in_order(std::move(result));
+}
+
+std::vector<std::string> in_words(const Conditions& conditions,
+                                  const std::vector<Statement>& statements, Workspace& workspace) {
+  std::set<unsigned> named;
+  for (const Statement& statement : statements)
+    for (const Term& side : {statement.left, statement.right})
+      for (const auto& [ordinal, symbol] : free_symbols(side)) named.insert(ordinal);
+  std::vector<std::string> result;
   for (const Condition& condition : conditions) {
-    const bool not_zero = condition.kind == Condition::Kind::not_zero;
-    Polynomial p = condition.polynomial;
-    // A positive leading sign would read "b - a != 0" where "a != b" is meant.
-    std::string text = to_text(Fraction{p}, workspace.atoms, workspace.budget, 300);
-    if (not_zero && text.front() == '-')
-      text = to_text(Fraction{scaled(p, -1)}, workspace.atoms, workspace.budget, 300);
-    result.push_back(text + (not_zero ? " != 0" : " >= 0"));
+    std::string others;
+    for (const Variable v : variables_within(condition.polynomial, workspace.atoms)) {
+      const Atom& atom = workspace.atoms[v];
+      if (atom.kind != Atom::Kind::symbol || atom.symbol->role != Symbol::Role::parameter ||
+          named.contains(atom.symbol->ordinal))
+        continue;
+      others += (others.empty() ? " for all " : ", ") + atom.symbol->name;
+    }
+    result.push_back(in_words(condition, workspace) + others);
   }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+  return in_order(std::move(result));
 }
 
 std::string component_name(const Type& type, std::size_t component) {

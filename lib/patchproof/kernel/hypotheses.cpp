@@ -199,8 +199,13 @@ Fraction Hypotheses::function_value(const Definition& definition, const Atom& je
         "an assumption about a function is known only for parameters in their range"};
   Fraction result = definition.value;
   std::map<Variable, Fraction> arguments;
+  const bool differentiated =
+      std::any_of(jet.orders.begin(), jet.orders.end(), [](int order) { return order > 0; });
   for (std::size_t k = 0; k < definition.parameters.size(); ++k) {
-    if (jet.orders[k] > 0) require_proper_ranges(Polynomial::variable(definition.parameters[k]));
+    // Known on the diagonal only, v in [u, u], a function may have any derivative in u.
+    const Variable parameter = definition.parameters[k];
+    if (jet.orders[k] > 0 || (differentiated && has_dependent_range(parameter)))
+      require_proper_range(parameter);
     for (int order = 0; order < jet.orders[k]; ++order)
       result = derivative(result, definition.parameters[k], conditions_, workspace_);
     arguments.emplace(definition.parameters[k], jet.arguments[k]);

@@ -84,6 +84,9 @@ class Hypotheses {
   bool replace_variable(const Polynomial& equation);
   void add_facts(const Goal& goal, const std::vector<bool>& enabled, Evaluator& evaluator);
 
+  void require_proper_range(Variable parameter) const;
+  /// Whether an end of its range contains parameters.
+  bool has_dependent_range(Variable parameter) const;
   std::set<Variable> parameters_in(const Polynomial& polynomial) const;
   /// The replacements that matter for the fraction.
   std::map<Variable, Fraction> images_for(const Fraction& fraction);

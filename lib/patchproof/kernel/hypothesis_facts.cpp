@@ -1,4 +1,5 @@
 #include <patchproof/kernel/hypotheses.hpp>
+#include <patchproof/kernel/integration_variables.hpp>
 
 namespace patchproof {
 
@@ -14,15 +15,35 @@ void Hypotheses::add_ranges(const Goal& goal, Evaluator& evaluator) {
   }
 }
 
+// Positive lengths are proper; so are those that vanish at single places only, as in v in [0, u]:
+// polynomials in parameters, not negative and not zero, are positive almost everywhere.
+void Hypotheses::require_proper_range(Variable parameter) const {
+  const auto range = ranges_.find(parameter);
+  if (range == ranges_.end()) return;
+  const Polynomial length =
+      difference(range->second.high, range->second.low, workspace_.budget).numerator();
+  if (facts_.never_zero(length, workspace_.budget)) return;
+  const std::set<Variable> named = length.variables();
+  const bool almost_positive =
+      !length.is_zero() && parameters_in(length) == named &&
+      difference(range->second.high, range->second.low, workspace_.budget).is_polynomial() &&
+      facts_.never_negative(length, workspace_.budget);
+  if (!almost_positive)
+    throw OutsideTheory{"the range of '" + workspace_.atoms[parameter].symbol->name +
+                        "' may be a single point; assume that its ends differ"};
+}
+
 void Hypotheses::require_proper_ranges(const Polynomial& polynomial) const {
-  for (const Variable v : parameters_in(polynomial)) {
-    const auto range = ranges_.find(v);
-    if (range == ranges_.end()) continue;
-    const Fraction length = difference(range->second.high, range->second.low, workspace_.budget);
-    if (!facts_.never_zero(length.numerator(), workspace_.budget))
-      throw OutsideTheory{"the range of '" + workspace_.atoms[v].symbol->name +
-                          "' may be a single point; assume that its ends differ"};
-  }
+  for (const Variable v : parameters_in(polynomial)) require_proper_range(v);
+}
+
+bool Hypotheses::has_dependent_range(Variable parameter) const {
+  const auto range = ranges_.find(parameter);
+  if (range == ranges_.end()) return false;
+  for (const Fraction& end : {range->second.low, range->second.high})
+    for (const Polynomial& part : parts_of(end))
+      if (!parameters_in(part).empty()) return true;
+  return false;
 }
 
 void Hypotheses::require_unrestricted(const Polynomial& polynomial) const {

@@ -57,7 +57,8 @@ void keep_open(const Conditions& conditions, Hypotheses& hypotheses, Workspace& 
       if (!reduced.is_polynomial()) throw OutsideTheory{"the sign of a quotient under a square root"};
       const std::optional<bool> known = holds_for_numbers(condition.kind, p, workspace);
       if (known == false) throw NoValue{"the square root of a negative number", span};
-      if (known != true && !hypotheses.facts().never_negative(p, workspace.budget))
+      const SignFacts facts = with_signs_of_integrals(hypotheses.facts(), p, workspace);
+      if (known != true && !facts.never_negative(p, workspace.budget))
         result.insert({condition.kind, p});
     }
   }

@@ -143,6 +143,9 @@ void CaseElaborator::add_joint(const syntax::Joint& joint, const Scope& scope, G
     throw Fault{joint.span, "the order of a G^k joint is at most 2",
                 "higher orders can be written out as equations"};
   const JointQuestion question = joint_of(joint, scope, goal);
+  if (joint.geometric && question.first.function.type().parameters.size() > 2)
+    throw Fault{joint.span, "a G^k joint is one of curves or patches, not of volumes",
+                "'C^k joint' goes with volumes too"};
   goal.ranges = question.given.ranges;
   const std::vector<Statement> statements =
       joint.geometric

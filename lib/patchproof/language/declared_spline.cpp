@@ -14,10 +14,9 @@ Knots clamped_uniform(int points, int degree, const Span& span) {
   return knots;
 }
 
-// The numbers among the knots have to increase, and equal knots have to stand together.
+// Different knots of which it can be told have to increase, and equal ones have to stand together.
 void require_order(const Knots& knots, int degree) {
-  const Term* last_number = nullptr;
-  std::vector<Term> symbols;
+  Knots different;
   int multiplicity = 0;
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const Term& knot = knots[k];
@@ -27,17 +26,20 @@ void require_order(const Knots& knots, int degree) {
       throw Fault{knot.span(),
                   "a knot occurs at most degree + 1 = " + std::to_string(degree + 1) + " times"};
     if (again) continue;
-    if (knot.is_number()) {
-      if (last_number != nullptr && knot.number() < last_number->number())
-        throw Fault{knot.span(), "knots must not decrease"};
-      if (last_number != nullptr && knot.number() == last_number->number())
-        throw Fault{knot.span(), "equal knots stand together"};
-      last_number = &knots[k];
-      continue;
+    // A number after a number is in order with all before; otherwise all count.
+    const bool numbers = k > 0 && knot.is_number() && knots[k - 1].is_number();
+    if (!numbers && std::any_of(different.begin(), different.end(),
+                                [&](const Term& earlier) { return same_knot(earlier, knot); }))
+      throw Fault{knot.span(), "equal knots stand together"};
+    for (auto earlier = different.rbegin(); earlier != different.rend(); ++earlier) {
+      const std::optional<int> order = order_of(*earlier, knot);
+      if (order && *order < 0) throw Fault{knot.span(), "knots must not decrease"};
+      if (order && *order == 0)
+        throw Fault{knot.span(), "this knot is equal to one before it",
+                    "equal knots are written alike"};
+      if (numbers) break;
     }
-    for (const Term& symbol : symbols)
-      if (same_knot(symbol, knot)) throw Fault{knot.span(), "equal knots stand together"};
-    symbols.push_back(knot);
+    different.push_back(knot);
   }
 }
 

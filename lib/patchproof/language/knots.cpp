@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <patchproof/kernel/enclose.hpp>
+#include <patchproof/kernel/evaluator.hpp>
+
 namespace patchproof {
 
 namespace {
@@ -41,6 +44,29 @@ bool same(const Term& a, const Term& b, int& steps) {
 bool same_knot(const Term& a, const Term& b) {
   int steps = 0;
   return same(a, b, steps);
+}
+
+std::optional<int> order_of(const Term& a, const Term& b) {
+  if (a.is_number() && b.is_number())
+    return b.number() == a.number() ? 0 : b.number() < a.number() ? -1 : 1;
+  constexpr std::uint64_t most_steps = 1'000'000;
+  Limits limits;
+  limits.steps = most_steps;
+  Budget budget{limits};
+  Workspace workspace{budget};
+  try {
+    Evaluator evaluator{workspace};
+    const Fraction before = evaluator.value(a).components.front();
+    const Fraction after = evaluator.value(b).components.front();
+    const Fraction gap = normal_form(difference(after, before, budget), workspace);
+    return certain_sign(gap, workspace.atoms, budget);
+  } catch (const std::domain_error&) {
+  } catch (const OutsideTheory&) {
+  } catch (const FinerAngles&) {
+  } catch (const OverBudget&) {
+  }
+  // Whatever kept it from being settled will show again where the spline is used.
+  return std::nullopt;
 }
 
 std::vector<int> values_of(const Knots& knots) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <patchproof/term/term.hpp>
@@ -13,6 +14,10 @@ using Knots = std::vector<Term>;
 /// Whether two knots are written alike: the same number, or the same expression in the same
 /// symbols.
 bool same_knot(const Term& a, const Term& b);
+
+/// The sign of b - a, exactly, where it is a number: of sqrt(2) and 1, or of a + 1 and a. Empty
+/// when it depends on symbols, or was not settled.
+std::optional<int> order_of(const Term& a, const Term& b);
 
 /// For each knot the number of its value among the different values, from 0.
 std::vector<int> values_of(const Knots& knots);

@@ -51,6 +51,10 @@ class NameCheck {
         look(*interval->last);
       }
       if (a.binder && known_.insert(a.binder->name.text).second) bound.insert(a.binder->name.text);
+      if (!a.range) continue;
+      look(*a.range->range.lower);
+      look(*a.range->range.upper);
+      if (known_.insert(a.range->name.text).second) bound.insert(a.range->name.text);
     }
     for (const auto& operand : e.operands) look(*operand);
     for (const syntax::Argument& a : e.arguments)

@@ -50,7 +50,7 @@ std::string fate_of(const AssumptionAudit& assumption) {
     case Status::noted:
       return "stays: " + printable(assumption.note);
     case Status::undecided:
-      return "perhaps needed by claims that were not decided";
+      return "claims that were not decided here may need it";
     default:
       return "flagged";
   }
