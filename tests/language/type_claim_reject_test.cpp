@@ -194,7 +194,7 @@ bad.proof:13:12: error: the two sides of a joint have values of one type, and th
 bad.proof:14:20: error: unknowns are derived from equations, written '=='
     14 |   derive k: k from G^1 joint of p at t = 1 and q at t = 0 with k
        |                    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-)bad.proof:16:12: error: a G^k joint is one of curves or patches, not of volumes
+bad.proof:16:12: error: a G^k joint is one of curves or patches, not of volumes
     16 |   prove h: G^1 joint of V at c = 1 and V at c = 0 with k, k
        |            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
        = help: 'C^k joint' goes with volumes too

@@ -9,6 +9,7 @@
 #include <patchproof/claims/joint.hpp>
 #include <patchproof/decide/decision.hpp>
 #include <patchproof/term/goal.hpp>
+#include <patchproof/term/notation.hpp>
 
 namespace patchproof {
 
@@ -96,6 +97,20 @@ struct WrittenAssumption {
   std::string note;
 };
 
+/// Something a case gives a name to: `patch r(u, v) = ...`, `point V[0..3, 0..3]`.
+struct Declaration {
+  std::string name;
+  /// The word it is declared with: "point", "curve", "patch", "matrix", "let", …
+  std::string keyword;
+  /// As for claims, of a family "[m=1]".
+  std::string instance;
+  /// What it stands for: a symbol, a matrix of symbols, a function, a value.
+  Term term;
+  /// A free symbol, unknown function or array of symbols; not something defined.
+  bool given = false;
+  Span span;
+};
+
 /// A case as read: everything typed, nothing decided.
 struct Case {
   std::string name;
@@ -104,7 +119,10 @@ struct Case {
   std::string quote;
   std::vector<std::string> tags;
   Limits limits;
+  Notation notation;
   Span span;
+  /// In the order written; splines and functionals, which are no terms, are left out.
+  std::vector<Declaration> declarations;
   /// Those of the first instance of a family.
   std::vector<WrittenAssumption> assumptions;
   std::vector<Claim> claims;

@@ -277,7 +277,10 @@ void CaseElaborator::statement(const syntax::Statement& statement, Case& result)
       case Kind::erratum: claim(statement, result); break;
       case Kind::assume: assume(statement, result); break;
       case Kind::show: show(statement, result); break;
-      default: declare(statement); break;
+      default:
+        declare(statement);
+        record(statement, result);
+        break;
     }
   } catch (const Fault& fault) {
     diagnostics_.push_back(fault.diagnostic);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <patchproof/language/nearest_name.hpp>
+#include <patchproof/language/notation_check.hpp>
+
 namespace patchproof {
 
 namespace {
@@ -50,6 +53,39 @@ void set_limit(const WrittenStatement& statement, Limits& limits, std::vector<Di
   }
 }
 
+void set_notation(const WrittenStatement& statement, Notation& notation,
+                  std::vector<Diagnostic>& diagnostics) {
+  if (statement.derivative_style)
+    notation.derivatives = statement.derivative_style->text == "superscript"
+                               ? DerivativeStyle::superscript
+                           : statement.derivative_style->text == "fraction"
+                               ? DerivativeStyle::fraction
+                               : DerivativeStyle::subscript;
+  for (const syntax::Notation& entry : statement.notations) {
+    try {
+      check_notation(entry);
+      if (!notation.names.emplace(entry.name.text, entry.latex).second)
+        throw Fault{entry.name.span, "'" + entry.name.text + "' already has a notation"};
+    } catch (const Fault& fault) {
+      diagnostics.push_back(fault.diagnostic);
+    }
+  }
+}
+
+// A notation of a name that is not there would be a slip that nobody sees.
+void check_notated_names(const syntax::Case& written, const Scope& scope, const Library& library,
+                         std::vector<Diagnostic>& diagnostics) {
+  for (const WrittenStatement& statement : written.statements) {
+    for (const syntax::Notation& entry : statement.notations) {
+      const std::string& name = entry.name.text;
+      if (scope.find(name) != nullptr || library.find(name) != nullptr) continue;
+      std::vector<std::string> known = scope.names();
+      diagnostics.push_back({entry.name.span, "a notation for '" + name + "', which is not declared",
+                             did_you_mean(name, known)});
+    }
+  }
+}
+
 void set_meta(const WrittenStatement& statement, Case& result, std::vector<Diagnostic>& diagnostics) {
   switch (statement.kind) {
     case WrittenStatement::Kind::title: result.title = statement.text; break;
@@ -62,6 +98,7 @@ void set_meta(const WrittenStatement& statement, Case& result, std::vector<Diagn
     case WrittenStatement::Kind::tags:
       for (const syntax::Name& tag : statement.tags) result.tags.push_back(tag.text);
       break;
+    case WrittenStatement::Kind::notation: set_notation(statement, result.notation, diagnostics); break;
     default: set_limit(statement, result.limits, diagnostics); break;
   }
 }
@@ -69,7 +106,7 @@ void set_meta(const WrittenStatement& statement, Case& result, std::vector<Diagn
 bool is_meta(WrittenStatement::Kind kind) {
   return kind == WrittenStatement::Kind::title || kind == WrittenStatement::Kind::source ||
          kind == WrittenStatement::Kind::quote || kind == WrittenStatement::Kind::tags ||
-         kind == WrittenStatement::Kind::limit;
+         kind == WrittenStatement::Kind::limit || kind == WrittenStatement::Kind::notation;
 }
 
 // The running indices of the family; a case without one has none.
@@ -126,6 +163,8 @@ Case elaborated(const syntax::Case& written, const Library& library, const Limit
       elaborator.declare_number(name.text, value, name.span);
     for (const WrittenStatement& statement : written.statements)
       if (has_meaning(statement.kind)) elaborator.statement(statement, result);
+    if (&instance == &instances.front())
+      check_notated_names(written, elaborator.scope(), library, diagnostics);
     // One faulty instance is enough: the others would repeat its messages.
     if (diagnostics.size() > before) break;
   }

@@ -47,6 +47,8 @@ class CaseElaborator {
  private:
   // declarations (case_declarations.cpp)
   void declare(const syntax::Statement& statement);
+  /// Takes over into the case what a statement has declared.
+  void record(const syntax::Statement& statement, Case& result) const;
   void declare_parameters(const syntax::Statement& statement);
   void declare_symbols(const syntax::Statement& statement);
   void declare_functions(const syntax::Statement& statement);

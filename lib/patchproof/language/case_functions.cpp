@@ -1,4 +1,5 @@
 #include <patchproof/language/case_elaborator.hpp>
+#include <patchproof/language/kind_words.hpp>
 
 namespace patchproof {
 
@@ -116,6 +117,20 @@ void CaseElaborator::declare_functions(const syntax::Statement& statement) {
                                             to_text(*term.type().inner)};
     declare_name(declarator.name, term);
   }
+}
+
+void CaseElaborator::record(const syntax::Statement& statement, Case& result) const {
+  const std::string instance = instance_.empty() ? "" : "[" + instance_ + "]";
+  const auto add = [&](const syntax::Name& name, bool given) {
+    const Entity* entity = scope_.find_here(name.text);
+    if (entity == nullptr || entity->kind != Entity::Kind::term) return;
+    result.declarations.push_back({name.text, std::string{text_of(statement.kind)}, instance,
+                                   entity->term, given, name.span});
+  };
+  for (const syntax::Declarator& declarator : statement.declarators)
+    add(declarator.name, !declarator.value && !statement.spline);
+  for (const syntax::ParameterGroup& group : statement.parameters)
+    for (const syntax::Name& name : group.names) add(name, true);
 }
 
 }  // namespace patchproof

@@ -163,6 +163,13 @@ class Dumper {
     return result;
   }
 
+  Json json(const Notation& notation) const {
+    Json result = node("notation", notation.span);
+    result["name"] = notation.name.text;
+    result["latex"] = notation.latex;
+    return result;
+  }
+
   Json json(const Range& range) const {
     Json result = node("range", range.span);
     add(result, "lower", range.lower);
@@ -209,6 +216,8 @@ class Dumper {
     add(result, "limit", statement.limit_kind);
     add(result, "value", statement.limit_value);
     add(result, "unit", statement.limit_unit);
+    add(result, "notations", statement.notations);
+    add(result, "derivatives", statement.derivative_style);
     add(result, "parameters", statement.parameters);
     add(result, "declarators", statement.declarators);
     add(result, "smoothness", statement.smoothness);

@@ -13,7 +13,7 @@ bool holds(const std::vector<std::string>& words, std::string_view word) {
 
 const std::vector<std::string>& statement_keywords() {
   static const std::vector<std::string> words{
-      "title", "source", "quote",  "tags", "limit",  "param",   "scalar", "point",
+      "title", "source", "quote",  "tags", "limit", "notation", "param",   "scalar", "point",
       "curve", "patch",  "volume", "matrix", "net",  "spline", "let",     "assume", "family",
       "prove", "refute", "open",   "show",   "derive", "erratum", "end"};
   return words;

@@ -16,8 +16,8 @@ std::string_view text_of(Expression::Kind kind) {
 }
 
 std::string_view text_of(Statement::Kind kind) {
-  static constexpr std::array<std::string_view, 23> words{
-      "title", "source", "quote",  "tags",   "limit",   "param", "scalar", "point",
+  static constexpr std::array<std::string_view, 24> words{
+      "title", "source", "quote",  "tags",   "limit",   "notation", "param", "scalar", "point",
       "curve", "patch",  "volume", "matrix", "net",    "spline",  "let",   "assume", "family",
       "prove", "refute", "open",   "derive", "erratum", "show"};
   return words.at(static_cast<std::size_t>(kind));

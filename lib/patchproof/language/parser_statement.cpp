@@ -2,8 +2,10 @@
 //
 //   title STRING | quote STRING | tags NAME {, NAME} | show ( expression | joint )
 //   source STRING { lang NAME | section STRING | page ( NUMBER | STRING ) }
+//   notation ( NAME = STRING {, NAME = STRING} | derivatives ( subscript | superscript | fraction ) )
 //   limit ( time | memory | terms | steps ) NUMBER [ s | ms | MB | GB ]
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -17,9 +19,10 @@ using syntax::Statement;
 using Kind = Statement::Kind;
 
 Kind kind_of(std::string_view keyword) {
-  static constexpr std::array<std::pair<std::string_view, Kind>, 23> table{{
+  static constexpr std::array<std::pair<std::string_view, Kind>, 24> table{{
       {"title", Kind::title},   {"source", Kind::source}, {"quote", Kind::quote},
-      {"tags", Kind::tags},     {"limit", Kind::limit},   {"param", Kind::parameter},
+      {"tags", Kind::tags},     {"limit", Kind::limit},   {"notation", Kind::notation},
+      {"param", Kind::parameter},
       {"scalar", Kind::scalar}, {"point", Kind::point},   {"curve", Kind::curve},
       {"patch", Kind::patch},   {"volume", Kind::volume}, {"matrix", Kind::matrix}, {"net", Kind::net},
       {"spline", Kind::spline}, {"let", Kind::let},       {"assume", Kind::assume},
@@ -58,6 +61,30 @@ void source_of_case(TokenStream& stream, Statement& statement) {
   }
 }
 
+void notation(TokenStream& stream, Statement& statement) {
+  if (stream.accept("derivatives")) {
+    const std::vector<std::string> styles{"subscript", "superscript", "fraction"};
+    const bool known = std::any_of(styles.begin(), styles.end(),
+                                   [&](const std::string& style) { return stream.is(style); });
+    if (!known) {
+      stream.fail_expected("'subscript', 'superscript' or 'fraction'",
+                           did_you_mean(stream.text(), styles));
+    }
+    statement.derivative_style = stream.any_word("a style");
+    return;
+  }
+  do {
+    syntax::Notation entry;
+    entry.name = stream.any_word("a name");
+    stream.expect("=");
+    entry.span = stream.span(stream.token());
+    entry.latex = stream.quoted_text();
+    ++entry.span.begin;
+    --entry.span.end;
+    statement.notations.push_back(std::move(entry));
+  } while (stream.accept(","));
+}
+
 void limit(TokenStream& stream, Statement& statement) {
   const bool is_time = stream.is("time");
   const bool is_memory = stream.is("memory");
@@ -92,6 +119,8 @@ void contents(TokenStream& stream, Statement& statement) {
         statement.tags.push_back(stream.any_word("a tag"));
       } while (stream.accept(","));
       return;
+    case Kind::notation:
+      return notation(stream, statement);
     case Kind::limit:
       return limit(stream, statement);
     case Kind::show:

@@ -166,6 +166,13 @@ struct SplineData {
   std::vector<ExpressionPointer> knots;  ///< empty: clamped uniform
 };
 
+/// `r = "\\mathbf r"`: how a name is written in LaTeX.
+struct Notation {
+  Name name;
+  std::string latex;
+  Span span;  ///< of the text, without its quotes
+};
+
 struct Clauses {
   std::vector<Name> using_labels;
   std::vector<Binder> binders;
@@ -174,7 +181,7 @@ struct Clauses {
 /// One statement of a case (or of a definition: title, source, let).
 struct Statement {
   enum class Kind {
-    title, source, quote, tags, limit,
+    title, source, quote, tags, limit, notation,
     parameter, scalar, point, curve, patch, volume, matrix, net, spline, let, assume, family,
     prove, refute, open, derive, erratum, show,
   };
@@ -190,6 +197,9 @@ struct Statement {
   std::optional<Name> limit_kind;         ///< limit time 5 s, limit memory 100 MB, limit terms 1000
   std::optional<Rational> limit_value;
   std::optional<Name> limit_unit;
+
+  std::vector<Notation> notations;        ///< notation r = "\\mathbf r", C1 = "C_1"
+  std::optional<Name> derivative_style;   ///< notation derivatives superscript
 
   std::vector<ParameterGroup> parameters;
   std::vector<Declarator> declarators;    ///< scalar, point, curve, patch, volume, matrix, net, spline, let
