@@ -1,0 +1,78 @@
+#include <patchproof/derivation/checked_derivation.hpp>
+
+#include <patchproof/decide/decide.hpp>
+#include <patchproof/term/plain_text.hpp>
+
+namespace patchproof {
+
+namespace {
+
+// More than this no reader follows; it keeps the message of a false step readable too.
+constexpr std::size_t longest_shown = 300;
+
+bool is_proof(const Decision& decision) {
+  return decision.verdict == Verdict::proved || decision.verdict == Verdict::proved_if;
+}
+
+class Checker {
+ public:
+  Checker(const Goal& given, const Limits& limits, Engines engines)
+      : given_{given}, limits_{limits}, engines_{engines} {}
+
+  CheckedChain of(const Chain& chain) const {
+    CheckedChain result{chain.start, {}};
+    Term before = chain.start;
+    for (std::size_t k = 0; k < chain.links.size(); ++k) {
+      const Link& link = chain.links[k];
+      Decision decision = decided_link(before, link);
+      if (!is_proof(decision)) {
+        // An equation left open is skipped; an inequality is the point of its chain.
+        if (link.relation == Relation::equal && k + 1 < chain.links.size()) continue;
+        return {chain.start, {}};
+      }
+      before = link.term;
+      result.links.push_back({link, std::move(decision)});
+    }
+    return result;
+  }
+
+ private:
+  Decision decided_link(const Term& before, const Link& link) const {
+    Goal goal = given_;
+    goal.statements = {{before, link.relation, link.term, link.term.span()}};
+    Decision decision = decided(goal, limits_, engines_);
+    if (decision.verdict == Verdict::refuted || decision.verdict == Verdict::internal)
+      throw FalseStep{"a step of a derivation is " + to_text(decision.verdict) + ": " +
+                      to_text(before, longest_shown) + " against " +
+                      to_text(link.term, longest_shown)};
+    return decision;
+  }
+
+  const Goal& given_;
+  const Limits& limits_;
+  Engines engines_;
+};
+
+CheckedChain undecided(const Chain& chain) {
+  CheckedChain result{chain.start, {}};
+  for (const Link& link : chain.links) result.links.push_back({link, {}});
+  return result;
+}
+
+}  // namespace
+
+CheckedDerivation::CheckedDerivation(const Derivation& proposed, const Limits& limits,
+                                     Engines engines) {
+  for (const Passage& passage : proposed.passages) {
+    CheckedPassage checked{passage.kind, {}, passage.values};
+    const Checker checker{passage.given, limits, engines};
+    for (const Chain& chain : passage.chains) {
+      CheckedChain result =
+          passage.kind == Passage::Kind::condition ? undecided(chain) : checker.of(chain);
+      if (!result.links.empty()) checked.chains.push_back(std::move(result));
+    }
+    if (!checked.chains.empty()) passages_.push_back(std::move(checked));
+  }
+}
+
+}  // namespace patchproof
