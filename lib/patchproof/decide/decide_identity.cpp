@@ -120,7 +120,7 @@ class Identity {
     result.evidence = Evidence::kernel;
     result.statement = check.statement;
     const Type& type = goal_.statements[check.statement].left.type();
-    result.witness = {in_words(witness), check.left, check.right,
+    result.witness = {in_words(witness), witness.values, check.left, check.right,
                       component_name(type, check.component)};
     result.residual = to_text(found.residual, workspace_.atoms, workspace_.budget);
     if (check.statement == found.statement && found.outcome == Finding::Outcome::open)

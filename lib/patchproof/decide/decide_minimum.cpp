@@ -179,7 +179,7 @@ class Minimum {
       result.verdict = Verdict::refuted;
       result.evidence = Evidence::kernel;
       result.reason.clear();
-      result.witness = {in_words(*witness), check.left, check.right, ""};
+      result.witness = {in_words(*witness), witness->values, check.left, check.right, ""};
       cross_check_ = values_at(*witness);
       return result;
     }

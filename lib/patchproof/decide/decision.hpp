@@ -37,6 +37,8 @@ std::string to_text(Evidence evidence);
 struct WitnessReport {
   /// "u" -> "1/2", "C1(u)" -> "1 - u"; in the order of declaration, zeros included.
   std::vector<std::pair<std::string, std::string>> values;
+  /// The same values as terms.
+  std::vector<KnownValue> assignment;
   std::string left;
   std::string right;
   /// Which component of the two sides: "", "x", "[1,2].x".

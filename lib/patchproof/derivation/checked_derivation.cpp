@@ -1,7 +1,10 @@
 #include <patchproof/derivation/checked_derivation.hpp>
 
+#include <algorithm>
+
 #include <patchproof/decide/decide.hpp>
 #include <patchproof/term/plain_text.hpp>
+#include <patchproof/term/replacement.hpp>
 
 namespace patchproof {
 
@@ -45,7 +48,27 @@ class Checker {
       throw FalseStep{"a step of a derivation is " + to_text(decision.verdict) + ": " +
                       to_text(before, longest_shown) + " against " +
                       to_text(link.term, longest_shown)};
+    if (link.relation == Relation::not_equal && is_proof(decision) && are_numbers(goal))
+      confirm_difference(goal, decision);
     return decision;
+  }
+
+  // Nothing is free in the two sides but what has a value.
+  bool are_numbers(const Goal& goal) const {
+    for (const auto& [ordinal, symbol] : free_symbols(goal)) {
+      const bool known =
+          std::any_of(goal.known.begin(), goal.known.end(),
+                      [o = ordinal](const KnownValue& k) { return k.symbol->ordinal == o; });
+      if (!known) return false;
+    }
+    return true;
+  }
+
+  // The second engine speaks of equations only. Numbers are not equal where the equation is false.
+  void confirm_difference(Goal& goal, Decision& decision) const {
+    goal.statements.front().relation = Relation::equal;
+    const Decision equality = decided(goal, limits_, engines_);
+    if (equality.verdict == Verdict::refuted) decision.evidence = equality.evidence;
   }
 
   const Goal& given_;
@@ -71,7 +94,7 @@ CheckedDerivation::CheckedDerivation(const Derivation& proposed, const Limits& l
           passage.kind == Passage::Kind::condition ? undecided(chain) : checker.of(chain);
       if (!result.links.empty()) checked.chains.push_back(std::move(result));
     }
-    if (!checked.chains.empty()) passages_.push_back(std::move(checked));
+    if (!checked.chains.empty() || !checked.values.empty()) passages_.push_back(std::move(checked));
   }
 }
 

@@ -40,7 +40,7 @@ class CheckedDerivation {
   /// Decides every link of the passages, but for those of conditions, which are not said to hold.
   ///
   /// Links that the engines leave open are left out, and what stands around them is decided
-  /// directly; a chain without a link left is left out, and so is a passage without chains.
+  /// directly; a chain without a link left is left out, and so is a passage without chains and values.
   /// @throws FalseStep when a link is refuted, or has no value.
   CheckedDerivation(const Derivation& proposed, const Limits& limits, Engines engines);
 

@@ -47,6 +47,7 @@ struct Passage {
     condition,    ///< equations that the unknowns have to satisfy; they are not said to hold
     result,       ///< what was to be shown or found; boxed
     check,        ///< the result is put into the conditions
+    difference,   ///< of the two sides of a false equation, for all values
     witness,      ///< `values` at which a statement is false, and both sides there
     variation,    ///< minimality: the difference of the two values
   };

@@ -38,20 +38,6 @@ Term polynomial_as_term(const Polynomial& polynomial, const VariableTerm& of) {
   return folded(Operation::sum, Type::scalar(), std::move(parts), 0);
 }
 
-// A jet of a function, or a point symbol, as a whole.
-Term whole_term(const Atom& atom, const Atoms& atoms) {
-  const Term symbol = symbol_term(atom.symbol);
-  if (atom.kind == Atom::Kind::symbol) return symbol;
-  bool plain = true;
-  for (const int order : atom.orders) plain = plain && order == 0;
-  std::vector<Term> children;
-  children.push_back(plain ? symbol
-                           : make_term(Operation::derivative, symbol.type(), {symbol},
-                                       Indices(atom.orders.begin(), atom.orders.end())));
-  for (const Fraction& argument : atom.arguments) children.push_back(scalar_term(argument, atoms));
-  return make_term(Operation::apply, *atom.symbol->type.inner, std::move(children));
-}
-
 // The variable of an integral as a bound symbol; it is bound by the nearest integral around it.
 SymbolPointer running_symbol(const Atom& atom) {
   return std::make_shared<const Symbol>(
@@ -128,6 +114,19 @@ std::optional<Term> combination(const Fraction& fraction, const Type& type, cons
 }
 
 }  // namespace
+
+Term whole_term(const Atom& atom, const Atoms& atoms) {
+  const Term symbol = symbol_term(atom.symbol);
+  if (atom.kind == Atom::Kind::symbol) return symbol;
+  bool plain = true;
+  for (const int order : atom.orders) plain = plain && order == 0;
+  std::vector<Term> children;
+  children.push_back(plain ? symbol
+                           : make_term(Operation::derivative, symbol.type(), {symbol},
+                                       Indices(atom.orders.begin(), atom.orders.end())));
+  for (const Fraction& argument : atom.arguments) children.push_back(scalar_term(argument, atoms));
+  return make_term(Operation::apply, *atom.symbol->type.inner, std::move(children));
+}
 
 Term scalar_term(const Fraction& fraction, const Atoms& atoms) {
   const VariableTerm of = [&](Variable v) { return variable_term(v, atoms); };

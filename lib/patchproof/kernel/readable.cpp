@@ -1,7 +1,8 @@
 #include <patchproof/kernel/readable.hpp>
 
-#include <algorithm>
 #include <map>
+
+#include <patchproof/kernel/arrangement.hpp>
 
 namespace patchproof {
 
@@ -16,16 +17,15 @@ const char* name_of(Atom::Kind kind) {
   }
 }
 
-bool is_parameter(const Atom& atom) {
-  if (atom.kind == Atom::Kind::slot) return true;
-  return atom.kind == Atom::Kind::symbol && (atom.symbol->role == Symbol::Role::parameter ||
-                                             atom.symbol->role == Symbol::Role::bound);
-}
-
 class Writer {
  public:
   Writer(const Atoms& atoms, Budget& budget, std::size_t longest)
-      : atoms_{atoms}, budget_{budget}, longest_{longest} {}
+      : atoms_{atoms},
+        longest_{longest},
+        arrangement_{atoms, budget, [this](Variable v) { return variable(v); }} {}
+  // The arrangement asks this very writer for names.
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
 
   // Remembered and cut off: nested functions would be written out again and again.
   const std::string& variable(Variable v) {
@@ -100,42 +100,9 @@ class Writer {
     return text + ")";
   }
 
-  // Declaration order first, so that the numbers of variables never show.
-  bool earlier(Variable a, Variable b) {
-    if (a == b) return false;
-    const Atom& x = atoms_[a];
-    const Atom& y = atoms_[b];
-    const auto ordinal = [](const Atom& atom) { return atom.symbol ? atom.symbol->ordinal : ~0U; };
-    if (ordinal(x) != ordinal(y)) return ordinal(x) < ordinal(y);
-    if (x.kind != y.kind) return x.kind < y.kind;
-    if (x.component != y.component) return x.component < y.component;
-    if (x.orders != y.orders) return x.orders < y.orders;
-    return variable(a) < variable(b);
-  }
-
-  // Earlier variables and higher powers first.
-  bool before(const Monomial& a, const Monomial& b) {
-    const auto sorted = [&](const Monomial& m) {
-      std::vector<Monomial::Power> powers(m.powers().begin(), m.powers().end());
-      std::sort(powers.begin(), powers.end(),
-                [&](const auto& x, const auto& y) { return earlier(x.variable, y.variable); });
-      return powers;
-    };
-    const auto x = sorted(a);
-    const auto y = sorted(b);
-    for (std::size_t k = 0; k < std::min(x.size(), y.size()); ++k) {
-      if (x[k].variable != y[k].variable) return earlier(x[k].variable, y[k].variable);
-      if (x[k].exponent != y[k].exponent) return x[k].exponent > y[k].exponent;
-    }
-    return x.size() > y.size();
-  }
-
   std::string monomial(const Monomial& m) {
-    std::vector<Monomial::Power> powers(m.powers().begin(), m.powers().end());
-    std::sort(powers.begin(), powers.end(),
-              [&](const auto& x, const auto& y) { return earlier(x.variable, y.variable); });
     std::string text;
-    for (const auto& p : powers) {
+    for (const auto& p : arrangement_.powers(m)) {
       text += (text.empty() ? "" : "*") + variable(p.variable);
       if (p.exponent > 1) text += "^" + std::to_string(p.exponent);
     }
@@ -157,12 +124,8 @@ class Writer {
 
   // The terms one after the other, nothing taken out.
   std::string expanded(const Polynomial& p) {
-    std::vector<Polynomial::Term> terms = p.terms();
-    std::sort(terms.begin(), terms.end(), [&](const auto& a, const auto& b) {
-      return before(a.monomial, b.monomial);
-    });
     std::string text;
-    for (const auto& term : terms) {
+    for (const auto& term : arrangement_.terms(p)) {
       if (text.size() > longest_) return text + " + …";
       append(text, term.coefficient < 0,
              times(abs(term.coefficient), monomial(term.monomial)));
@@ -170,91 +133,45 @@ class Writer {
     return text.empty() ? "0" : text;
   }
 
-  // A coefficient in the parameters: number * u^a * (1-u)^b * (rest).
-  struct Factored {
-    bool negative = false;
-    Rational number = 1;
-    std::string rest;
-  };
-  Factored factored(const Polynomial& coefficient) {
-    Factored result;
-    Polynomial rest = coefficient;
-    for (const Variable v : ordered(coefficient.variables())) {
-      const Polynomial x = Polynomial::variable(v);
-      const Polynomial one_minus = Polynomial::from_terms({{Monomial{}, 1}, {Monomial{v}, -1}});
-      take_out(rest, x, variable(v), result.rest);
-      take_out(rest, one_minus, "(1-" + variable(v) + ")", result.rest);
+  // u^a * (1-u)^b * (rest)
+  std::string factors(const Arrangement::Factored& factored) {
+    std::string text;
+    for (const auto& [factor, exponent] : factored.factors) {
+      const std::string name = factor.terms().size() == 1
+                                   ? expanded(factor)
+                                   : "(1-" + variable(*factor.variables().begin()) + ")";
+      text += (text.empty() ? "" : "*") + name;
+      if (exponent > 1) text += "^" + std::to_string(exponent);
     }
-    std::vector<Polynomial::Term> terms = rest.terms();
-    std::sort(terms.begin(), terms.end(), [&](const auto& a, const auto& b) {
-      return before(a.monomial, b.monomial);
-    });
-    result.number = content(rest);
-    result.negative = terms.front().coefficient < 0;
-    rest = scaled(rest, (result.negative ? -1 : 1) / result.number);
-    if (!rest.is_constant()) {
-      std::string text = expanded(rest);
-      if (terms.size() > 1) text = "(" + text + ")";
-      result.rest += (result.rest.empty() ? "" : "*") + text;
-    }
-    return result;
-  }
-
-  void take_out(Polynomial& rest, const Polynomial& factor, const std::string& name,
-                std::string& text) {
-    unsigned exponent = 0;
-    while (std::optional<Polynomial> shorter = quotient(rest, factor, budget_)) {
-      rest = std::move(*shorter);
-      ++exponent;
-    }
-    if (exponent == 0) return;
-    text += (text.empty() ? "" : "*") + name;
-    if (exponent > 1) text += "^" + std::to_string(exponent);
-  }
-
-  std::vector<Variable> ordered(const std::set<Variable>& variables) {
-    std::vector<Variable> result(variables.begin(), variables.end());
-    std::sort(result.begin(), result.end(), [&](Variable a, Variable b) { return earlier(a, b); });
-    return result;
+    if (factored.rest.is_constant()) return text;
+    const std::string rest = expanded(factored.rest);
+    return text + (text.empty() ? "" : "*") +
+           (factored.rest.terms().size() > 1 ? "(" + rest + ")" : rest);
   }
 
   std::string polynomial(const Polynomial& p) {
     if (p.is_constant()) return to_text(p.constant());
-    std::vector<std::pair<Monomial, std::vector<Polynomial::Term>>> groups;
-    std::map<Monomial, std::size_t> places;
-    for (const auto& term : p.terms()) {
-      Monomial unknowns;
-      Monomial parameters;
-      for (const auto& power : term.monomial.powers()) {
-        Monomial& part = is_parameter(atoms_[power.variable]) ? parameters : unknowns;
-        part = part * Monomial{power.variable, power.exponent};
-      }
-      const auto [place, fresh] = places.try_emplace(unknowns, groups.size());
-      if (fresh) groups.push_back({unknowns, {}});
-      groups[place->second].second.push_back({parameters, term.coefficient});
-    }
-    std::sort(groups.begin(), groups.end(),
-              [&](const auto& a, const auto& b) { return before(a.first, b.first); });
+    const std::vector<Arrangement::Group> groups = arrangement_.groups(p);
     std::string text;
-    for (auto& [unknowns, terms] : groups) {
+    for (const auto& [unknowns, coefficient] : groups) {
       if (text.size() > longest_) return text + " + …";
-      const Polynomial coefficient = Polynomial::from_terms(std::move(terms));
       const std::string name = monomial(unknowns);
       if (unknowns.is_one() && groups.size() > 1 && coefficient.terms().size() > 1) {
         const std::string rest = expanded(coefficient);
         append(text, rest.front() == '-', rest.front() == '-' ? rest.substr(1) : rest);
         continue;
       }
-      const Factored f = factored(coefficient);
+      const Arrangement::Factored f = arrangement_.factored(coefficient);
+      const std::string rest = factors(f);
       append(text, f.negative,
-             times(f.number, f.rest.empty() || name.empty() ? f.rest + name : f.rest + "*" + name));
+             times(f.number, rest.empty() || name.empty() ? rest + name : rest + "*" + name));
     }
     return text;
   }
 
   const Atoms& atoms_;
-  Budget& budget_;
   std::size_t longest_;
+  Arrangement arrangement_;
   std::map<Variable, std::string> names_;
 };
 

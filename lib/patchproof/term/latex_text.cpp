@@ -45,7 +45,7 @@ class Writer {
     for (const Term& child : term.children()) {
       for (std::string& text : summands(child)) {
         const bool minus = text.front() == '-';
-        if (!result.empty() && !minus) text = "+ " + text;
+        if (!result.empty() && !minus && text.front() != '+') text = "+ " + text;
         if (!result.empty() && minus) text = "- " + text.substr(text.size() > 1 && text[1] == ' ' ? 2 : 1);
         result.push_back(std::move(text));
       }
@@ -54,15 +54,19 @@ class Writer {
   }
 
  private:
-  const std::string* name_of(const Term& term) const {
-    const auto found = names_.named.find(term.address());
-    return found == names_.named.end() ? nullptr : &found->second;
-  }
+  const std::string* name_of(const Term& term) const { return names_.name_of(term); }
 
   bool is_name(const Term& term) const { return name_of(term) || has_plain_name(term); }
 
+  // A product of matrices that is one value, of which the entry is taken.
+  static bool is_single(const Term& matrix) {
+    return matrix.type().rows == 1 && matrix.type().columns == 1;
+  }
+
   Binding binding_of(const Term& term) const {
     if (name_of(term)) return Binding::primary;
+    if (term.operation() == Operation::entry && is_single(term.child(0)))
+      return binding_of(term.child(0));
     const Term& body = written(term);
     if (name_of(body)) return Binding::primary;
     // As mathematics a quotient stands in a fraction, and scalar and vector products are infix.
@@ -125,7 +129,8 @@ class Writer {
       case Operation::apply: return apply(term);
       case Operation::derivative: return derivative(term);
       case Operation::component: return component(term);
-      case Operation::entry: return index(term.child(0), term.indices());
+      case Operation::entry:
+        return is_single(term.child(0)) ? of(term.child(0)) : index(term.child(0), term.indices());
       case Operation::slice: return slice(term);
       case Operation::transpose: return within(term.child(0), Binding::primary) + "^{\\mathsf{T}}";
       case Operation::determinant: return determinant(term);
@@ -385,6 +390,23 @@ class Writer {
 };
 
 }  // namespace
+
+void LatexNames::add(const Term& term, const std::string& name) {
+  if (term.children().empty()) return;
+  if (name_of(term) != nullptr) return;
+  places_.emplace(term.child(0).address(), all_.size());
+  all_.push_back({term, name});
+}
+
+const std::string* LatexNames::name_of(const Term& term) const {
+  if (term.children().empty()) return nullptr;
+  const auto [begin, end] = places_.equal_range(term.child(0).address());
+  for (auto candidate = begin; candidate != end; ++candidate) {
+    const NamedTerm& named = all_[candidate->second];
+    if (is_one_term(named.term, term)) return &named.name;
+  }
+  return nullptr;
+}
 
 std::string to_latex(const Term& term, const LatexNames& names) { return Writer{names}.of(term); }
 

@@ -9,11 +9,29 @@
 
 namespace patchproof {
 
+/// A term with the name it was given.
+struct NamedTerm {
+  Term term;
+  std::string name;
+};
+
 /// What terms are called in a case, and how it writes its names.
 struct LatexNames {
   Notation notation;
-  /// Functions, matrices and values that were given a name -> that name.
-  std::map<const TermNode*, std::string> named;
+
+  /// From now on the function, matrix or value is written by this name. Symbols have their own.
+  void add(const Term& term, const std::string& name);
+  /// The name that was given to the term, which may since have been mentioned at another place;
+  /// none if it has none.
+  const std::string* name_of(const Term& term) const;
+
+  /// In the order they were given.
+  const std::vector<NamedTerm>& all() const { return all_; }
+
+ private:
+  /// By the first child, which all mentions of one term share.
+  std::multimap<const TermNode*, std::size_t> places_;
+  std::vector<NamedTerm> all_;
 };
 
 /// The term in LaTeX mathematics, in the order and shape it was written: sums and products keep

@@ -21,6 +21,14 @@ Term make_term(Operation operation, Type type, std::vector<Term> children,
   return Term{std::make_shared<const TermNode>(std::move(node))};
 }
 
+bool is_one_term(const Term& a, const Term& b) {
+  if (a.address() == b.address()) return true;
+  return !a.children().empty() && a.operation() == b.operation() && a.type() == b.type() &&
+         std::equal(a.children().begin(), a.children().end(), b.children().begin(),
+                    b.children().end(),
+                    [](const Term& x, const Term& y) { return x.address() == y.address(); });
+}
+
 Term number_term(const Rational& number, Span span) {
   return make_term(Operation::number, Type::scalar(), {}, number, std::move(span));
 }

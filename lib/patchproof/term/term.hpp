@@ -120,6 +120,10 @@ class TooDeep : public std::length_error {
 Term make_term(Operation operation, Type type, std::vector<Term> children,
                TermNode::Payload payload = {}, Span span = {});
 
+/// Whether the two are one term that was mentioned at two places: the same operation over the very
+/// same children, perhaps with other spans. Leaves are mentioned as themselves.
+bool is_one_term(const Term& a, const Term& b);
+
 Term number_term(const Rational& number, Span span = {});
 Term symbol_term(const SymbolPointer& symbol, Span span = {});
 
