@@ -87,11 +87,11 @@ CheckedChain undecided(const Chain& chain) {
 CheckedDerivation::CheckedDerivation(const Derivation& proposed, const Limits& limits,
                                      Engines engines) {
   for (const Passage& passage : proposed.passages) {
-    CheckedPassage checked{passage.kind, {}, passage.values};
+    CheckedPassage checked{passage.kind, {}, passage.values, passage.open};
     const Checker checker{passage.given, limits, engines};
     for (const Chain& chain : passage.chains) {
       CheckedChain result =
-          passage.kind == Passage::Kind::condition ? undecided(chain) : checker.of(chain);
+          passage.open ? undecided(chain) : checker.of(chain);
       if (!result.links.empty()) checked.chains.push_back(std::move(result));
     }
     if (!checked.chains.empty() || !checked.values.empty()) passages_.push_back(std::move(checked));

@@ -28,6 +28,7 @@ struct CheckedPassage {
   Passage::Kind kind = Passage::Kind::computation;
   std::vector<CheckedChain> chains;
   std::vector<KnownValue> values;
+  bool open = false;
 };
 
 /// A derivation every relation of which was decided; only this can be typeset.
@@ -37,7 +38,7 @@ class CheckedDerivation {
  public:
   CheckedDerivation() = default;
 
-  /// Decides every link of the passages, but for those of conditions, which are not said to hold.
+  /// Decides every link of the passages, but for open conditions, which are not said to hold.
   ///
   /// Links that the engines leave open are left out, and what stands around them is decided
   /// directly; a chain without a link left is left out, and so is a passage without chains and values.

@@ -109,42 +109,9 @@ Passage difference_passage(const Goal& goal, const Decision& decision,
   return passage;
 }
 
-std::vector<Passage> identity_passages(const IdentityClaim& claim, const Decision& decision,
-                                       const std::vector<KnownValue>& known,
-                                       const std::vector<std::string>& uses,
-                                       Computation& computation) {
-  std::vector<Passage> passages;
-  if (decision.verdict == Verdict::refuted) {
-    passages.push_back(difference_passage(claim.goal, decision, known, computation));
-    passages.push_back(witness_passage(claim.goal, decision, known, computation));
-    return passages;
-  }
-  if (!holds(decision)) return passages;
-  Passage passage{Passage::Kind::computation, {}, {}, without_statements(claim.goal, known)};
-  std::vector<std::string> reasons = decision.assumptions_used;
-  reasons.insert(reasons.end(), uses.begin(), uses.end());
-  for (const Statement& statement : claim.goal.statements)
-    for (Chain& chain : equation_chains(statement, !reasons.empty(), reasons, computation))
-      passage.chains.push_back(std::move(chain));
-  passages.push_back(std::move(passage));
-  return passages;
-}
-
-std::vector<Passage> minimum_derivation(const MinimumClaim& claim, const Decision& decision,
-                                        const std::vector<KnownValue>& known,
-                                        Computation& computation) {
-  if (holds(decision)) return minimum_passages(claim, known, computation);
-  if (decision.verdict != Verdict::refuted) return {};
-  return {witness_passage(claim.goal.goal, decision, known, computation)};
-}
-
-}  // namespace
-
-std::vector<Chain> equation_chains(const Statement& statement, bool by_assumption,
-                                   const std::vector<std::string>& assumptions,
-                                   Computation& computation) {
-  const Reason reason{by_assumption ? Reason::Kind::assumption : Reason::Kind::none,
-                      by_assumption ? assumptions : std::vector<std::string>{}};
+// Both sides worked out until they meet.
+std::vector<Chain> meeting_chains(const Statement& statement, const Reason& reason,
+                                  Computation& computation) {
   Chain left = computation.of(statement.left);
   if (statement.relation != Relation::equal) {
     left.links.push_back({statement.relation, statement.right, {}});
@@ -173,6 +140,48 @@ std::vector<Chain> equation_chains(const Statement& statement, bool by_assumptio
                          reason});
   if (left.links.empty()) return {right};
   return {left, right};
+}
+
+std::vector<Passage> identity_passages(const IdentityClaim& claim, const Decision& decision,
+                                       const std::vector<KnownValue>& known,
+                                       const std::vector<std::string>& uses,
+                                       Computation& computation) {
+  std::vector<Passage> passages;
+  if (decision.verdict == Verdict::refuted) {
+    passages.push_back(difference_passage(claim.goal, decision, known, computation));
+    passages.push_back(witness_passage(claim.goal, decision, known, computation));
+    return passages;
+  }
+  if (!holds(decision)) return passages;
+  Passage passage{Passage::Kind::computation, {}, {}, without_statements(claim.goal, known)};
+  Reason reason;
+  if (!decision.assumptions_used.empty())
+    reason = {Reason::Kind::assumption, decision.assumptions_used};
+  else if (!uses.empty())
+    reason = {Reason::Kind::derived, uses};
+  for (const Statement& statement : claim.goal.statements)
+    for (Chain& chain : equation_chains(statement, reason, computation))
+      passage.chains.push_back(std::move(chain));
+  passages.push_back(std::move(passage));
+  return passages;
+}
+
+std::vector<Passage> minimum_derivation(const MinimumClaim& claim, const Decision& decision,
+                                        const std::vector<KnownValue>& known,
+                                        Computation& computation) {
+  if (holds(decision)) return minimum_passages(claim, known, computation);
+  if (decision.verdict != Verdict::refuted) return {};
+  return {witness_passage(claim.goal.goal, decision, known, computation)};
+}
+
+}  // namespace
+
+std::vector<Chain> equation_chains(const Statement& statement, const Reason& reason,
+                                   Computation& computation) {
+  std::vector<Chain> chains = computation.lower_derivatives(statement.left);
+  for (Chain& chain : meeting_chains(statement, reason, computation))
+    chains.push_back(std::move(chain));
+  return chains;
 }
 
 Derivation claim_derivation(const ClaimResult& result, const std::vector<KnownValue>& known,

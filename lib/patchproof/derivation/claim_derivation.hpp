@@ -24,9 +24,9 @@ std::vector<Passage> minimum_passages(const MinimumClaim& claim,
                                       const std::vector<KnownValue>& known,
                                       Computation& computation);
 
-/// Both sides of the statement worked out until they meet.
-std::vector<Chain> equation_chains(const Statement& statement, bool by_assumption,
-                                   const std::vector<std::string>& assumptions,
+/// Both sides of the statement worked out until they meet; before that, of a derivative of higher
+/// order the lower ones. `reason` is why the last link holds where it is no mere calculation.
+std::vector<Chain> equation_chains(const Statement& statement, const Reason& reason,
                                    Computation& computation);
 
 }  // namespace patchproof

@@ -1,6 +1,7 @@
 #include <patchproof/derivation/computation.hpp>
 
 #include <patchproof/decide/guard.hpp>
+#include <patchproof/derivation/shapes.hpp>
 #include <patchproof/derivation/tidied.hpp>
 #include <patchproof/kernel/readable_term.hpp>
 
@@ -78,6 +79,31 @@ Chain Computation::of(const Term& value) {
   if (normal && printed_size(*normal, longest_term) < printed_size(last, longest_term))
     append(chain, *normal, {Reason::Kind::collected, {}});
   return chain;
+}
+
+std::vector<Chain> Computation::lower_derivatives(const Term& value) {
+  std::vector<Chain> chains;
+  if (value.operation() != Operation::apply) return chains;
+  const Term& function = value.child(0);
+  if (function.operation() != Operation::derivative || function.indices().size() < 2) return chains;
+  for (std::size_t k = 1; k < value.children().size(); ++k)
+    if (value.child(k).operation() != Operation::symbol) return chains;
+  const Indices& whole = function.indices();
+  Indices orders(whole.size(), 0);
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    for (int n = 0; n < whole[k]; ++n) {
+      ++orders[k];
+      // In the first parameter at once, then one by one; the whole is what is asked for.
+      if (orders == whole || (k == 0 && orders[0] < whole[0])) continue;
+      std::vector<Term> children = value.children();
+      children.front() = derivative_of(function.child(0), orders);
+      Chain chain = of(make_term(Operation::apply, value.type(), std::move(children)));
+      if (chain.links.empty()) continue;
+      chain.links.resize(1);
+      chains.push_back(std::move(chain));
+    }
+  }
+  return chains;
 }
 
 Chain Computation::definition(const Term& value, const Term& body) {

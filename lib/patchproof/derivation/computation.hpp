@@ -21,6 +21,9 @@ class Computation {
   /// The chain of a value; without links when nothing can be said about it.
   Chain of(const Term& value);
 
+  /// r_uu and r_uuv for r_uuvv at the parameters, as far as each can be said briefly.
+  std::vector<Chain> lower_derivatives(const Term& value);
+
   /// What a name stands for, as written; for another name also what that one stands for.
   Chain definition(const Term& value, const Term& body);
 

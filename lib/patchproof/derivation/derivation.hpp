@@ -44,7 +44,7 @@ struct Passage {
   enum class Kind {
     definition,   ///< what a name stands for
     computation,  ///< a side of a statement is worked out
-    condition,    ///< equations that the unknowns have to satisfy; they are not said to hold
+    condition,    ///< equations that the unknowns have to satisfy
     result,       ///< what was to be shown or found; boxed
     check,        ///< the result is put into the conditions
     difference,   ///< of the two sides of a false equation, for all values
@@ -57,6 +57,8 @@ struct Passage {
   std::vector<KnownValue> values;
   /// Assumptions, ranges and known values under which the chains are decided; no statements.
   Goal given;
+  /// Conditions that nothing is known to satisfy: they are not said to hold, and not decided.
+  bool open = false;
 };
 
 /// The derivation of one claim, as proposed: nothing of it has been decided.

@@ -1,3 +1,4 @@
+#include <patchproof/derivation/basis_rows.hpp>
 #include <patchproof/derivation/claim_derivation.hpp>
 
 namespace patchproof {
@@ -11,6 +12,36 @@ const Term& last_of(const Chain& chain) {
   return chain.links.empty() ? chain.start : chain.links.back().term;
 }
 
+// The last term of the chain that is a sum in a Bernstein basis.
+std::optional<BasisRows> rows_of(const Chain& chain) {
+  for (auto link = chain.links.rbegin(); link != chain.links.rend(); ++link)
+    if (const auto rows = basis_rows(link->term)) return rows;
+  return std::nullopt;
+}
+
+Term shortest(const Term& value, const Computation& computation) {
+  const std::optional<Term> collected = computation.collected(value);
+  return collected && computation.is_readable(*collected) ? *collected : value;
+}
+
+// Coefficient by coefficient where both sides are in one basis, else the sides as they are.
+void add_conditions(const Chain& left, const Chain& right, const Computation& computation,
+                    std::vector<Chain>& conditions) {
+  const auto left_rows = rows_of(left);
+  const auto right_rows = rows_of(right);
+  bool alike = left_rows && right_rows && left_rows->basis.size() == right_rows->basis.size();
+  for (std::size_t k = 0; alike && k < left_rows->basis.size(); ++k)
+    alike = computation.same(left_rows->basis[k], right_rows->basis[k]);
+  if (!alike) {
+    conditions.push_back({last_of(left), {{Relation::equal, last_of(right), {}}}});
+    return;
+  }
+  for (std::size_t k = 0; k < left_rows->basis.size(); ++k)
+    conditions.push_back(
+        {shortest(left_rows->coefficients[k], computation),
+         {{Relation::equal, shortest(right_rows->coefficients[k], computation), {}}}});
+}
+
 }  // namespace
 
 std::vector<Passage> solution_passages(const DeriveClaim& claim, const Decision& decision,
@@ -19,11 +50,16 @@ std::vector<Passage> solution_passages(const DeriveClaim& claim, const Decision&
   Goal given = claim.goal.goal;
   given.statements.clear();
   given.known = known;
+  const bool solved =
+      decision.verdict == Verdict::proved || decision.verdict == Verdict::proved_if;
+  Goal at_solution = given;
+  at_solution.known.insert(at_solution.known.end(), decision.solution.begin(),
+                           decision.solution.end());
   const std::vector<Statement>& equations = claim.goal.goal.statements;
   const bool few = equations.size() <= most_worked_out;
 
   Passage sides{Passage::Kind::computation, {}, {}, given};
-  Passage conditions{Passage::Kind::condition, {}, {}, given};
+  Passage conditions{Passage::Kind::condition, {}, {}, at_solution, !solved};
   for (const Statement& equation : equations) {
     Chain left{equation.left, {}};
     Chain right{equation.right, {}};
@@ -33,14 +69,12 @@ std::vector<Passage> solution_passages(const DeriveClaim& claim, const Decision&
     }
     for (const Chain& side : {left, right})
       if (!side.links.empty()) sides.chains.push_back(side);
-    conditions.chains.push_back({last_of(left), {{Relation::equal, last_of(right), {}}}});
+    add_conditions(left, right, computation, conditions.chains);
   }
   std::vector<Passage> passages{sides, conditions};
-  if (decision.verdict != Verdict::proved && decision.verdict != Verdict::proved_if)
-    return passages;
+  if (!solved) return passages;
 
-  given.known.insert(given.known.end(), decision.solution.begin(), decision.solution.end());
-  Passage result{Passage::Kind::result, {}, {}, given};
+  Passage result{Passage::Kind::result, {}, {}, at_solution};
   for (const Statement& value : claim.gives)
     result.chains.push_back({value.left, {{Relation::equal, value.right, {}}}});
   if (claim.gives.empty())
@@ -50,7 +84,7 @@ std::vector<Passage> solution_passages(const DeriveClaim& claim, const Decision&
             {symbol_term(value.symbol), {{Relation::equal, value.value, {}}}});
   passages.push_back(std::move(result));
 
-  Passage check{Passage::Kind::check, {}, {}, given};
+  Passage check{Passage::Kind::check, {}, {}, at_solution};
   for (const Statement& equation : equations)
     check.chains.push_back({equation.left, {{Relation::equal, equation.right, {}}}});
   passages.push_back(std::move(check));

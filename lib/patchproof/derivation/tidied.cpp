@@ -1,9 +1,11 @@
 #include <patchproof/derivation/tidied.hpp>
 
+#include <map>
 #include <unordered_map>
 
 #include <patchproof/derivation/shapes.hpp>
 #include <patchproof/term/binding.hpp>
+#include <patchproof/term/plain_text.hpp>
 #include <patchproof/term/replacement.hpp>
 
 namespace patchproof {
@@ -11,6 +13,8 @@ namespace patchproof {
 namespace {
 
 constexpr long highest_power_of_number = 64;
+// Signs of summands that are looked for again.
+constexpr std::size_t longest_repeated = 200;
 
 class Tidying {
  public:
@@ -90,10 +94,36 @@ class Tidying {
     if (!is_zero_term(term)) parts.push_back(negative ? negated(term) : term);
   }
 
+  // e + e is 2e. What cancels is left standing: a reader wants to see it go.
+  static std::vector<Term> repeated_once(const std::vector<Term>& parts) {
+    std::vector<Term> result;
+    std::vector<int> counts;
+    std::map<std::string, std::size_t> places;
+    for (const Term& part : parts) {
+      const std::string text = to_text(part, 2 * longest_repeated);
+      // Long texts are cut off, and may be those of different terms.
+      const bool comparable = text.size() <= longest_repeated;
+      const auto [place, fresh] =
+          comparable ? places.try_emplace(text, result.size()) : std::pair{places.end(), true};
+      if (fresh) {
+        result.push_back(part);
+        counts.push_back(1);
+      } else {
+        ++counts[place->second];
+      }
+    }
+    for (std::size_t k = 0; k < result.size(); ++k)
+      if (counts[k] > 1)
+        result[k] = product(make_term(Operation::product, result[k].type(),
+                                      {number_term(counts[k]), result[k]}));
+    return result;
+  }
+
   static Term sum(const Term& term) {
     std::vector<Term> parts;
     Rational number = 0;
     collect(term, false, parts, number);
+    parts = repeated_once(parts);
     if (!term.type().is_scalar()) return sum_of(std::move(parts), term.type());
     // 1 - u, but u - 1.
     const bool number_first = term.child(0).is_number();

@@ -6,6 +6,7 @@
 
 #include <patchproof/term/binding.hpp>
 #include <patchproof/term/latex_name.hpp>
+#include <patchproof/term/replacement.hpp>
 
 namespace patchproof {
 
@@ -69,6 +70,8 @@ class Writer {
       return binding_of(term.child(0));
     const Term& body = written(term);
     if (name_of(body)) return Binding::primary;
+    if (body.operation() == Operation::apply && is_expression(body.child(0)))
+      return binding_of(body.child(0).child(0));
     // As mathematics a quotient stands in a fraction, and scalar and vector products are infix.
     if (body.operation() == Operation::dot || body.operation() == Operation::cross)
       return Binding::product;
@@ -168,7 +171,7 @@ class Writer {
       const bool after_number = (last >= '0' && last <= '9');
       if (result == "-1" && !digit)
         result = "-" + factor;
-      else if (digit || (fraction_after && after_number))
+      else if (digit || (fraction_after && after_number) || result == "0" || result == "1")
         result += " \\cdot " + factor;
       else
         result += (factor.front() == '(' || after_number ? "" : "\\,") + factor;
@@ -213,15 +216,22 @@ class Writer {
     return side(term.child(0)) + " " + sign + " " + side(term.child(1));
   }
 
+  bool is_expression(const Term& function) const {
+    return function.operation() == Operation::lambda && !name_of(function);
+  }
+
+  // An expression at values of its parameters: with these in their places.
+  static Term at_arguments(const Term& term) {
+    const Term& function = term.child(0);
+    std::map<unsigned, Term> images;
+    for (std::size_t k = 0; k < function.formals().size(); ++k)
+      images.emplace(function.formals()[k]->ordinal, term.child(k + 1));
+    return replaced(function.child(0), images);
+  }
+
   std::string apply(const Term& term) {
     const Term& function = term.child(0);
-    if (function.operation() == Operation::lambda && !name_of(function)) {
-      // An expression at other values of its parameters.
-      std::string places;
-      for (std::size_t k = 0; k < function.formals().size(); ++k)
-        places += (k > 0 ? ",\\," : "") + function.formals()[k]->name + "=" + of(term.child(k + 1));
-      return "\\left." + bracketed(of(function.child(0))) + "\\right|_{" + places + "}";
-    }
+    if (is_expression(function)) return of(at_arguments(term));
     return of(function) + bracketed(list(term.children(), 1));
   }
 
