@@ -19,11 +19,13 @@ std::string folder_of(const Page& page) {
   return slash == std::string::npos ? "" : path.substr(0, slash);
 }
 
-// "cases/coons_to_bezier" -> "coons to bezier"
+// "cases/coons_to_bezier" -> "Coons to bezier"
 std::string chapter_title(const std::string& folder, Language language) {
   std::string title = folder.substr(folder.rfind('/') + 1);
   for (char& c : title)
     if (c == '_') c = ' ';
+  if (!title.empty() && title.front() >= 'a' && title.front() <= 'z')
+    title.front() = static_cast<char>(title.front() - 'a' + 'A');
   return title.empty() || title == "." ? word(Word::count, language) : latex_escaped(title);
 }
 

@@ -1,8 +1,10 @@
 #include <patchproof/latex/plain_latex.hpp>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 
+#include <patchproof/language/utf8.hpp>
 #include <patchproof/term/latex_name.hpp>
 
 namespace patchproof {
@@ -36,6 +38,13 @@ class Translation {
       at_ += sign.size();
       return;
     }
+    // No letter of a formula: words of some language.
+    if (static_cast<unsigned char>(c) >= 0x80U) {
+      const std::size_t length = std::max<std::size_t>(1, utf8_length(text_, at_));
+      result_ += "\\mbox{" + text_.substr(at_, length) + "}";
+      at_ += length;
+      return;
+    }
     ++at_;
     // Between factors nothing is written, but where two numbers would meet.
     if (c == '*')
@@ -51,7 +60,7 @@ class Translation {
 
   static const std::map<std::string, std::string>& signs() {
     static const std::map<std::string, std::string> table{
-        {"!=", "\\neq"}, {"<=", "\\leq"}, {">=", "\\geq"}, {"==", "="}};
+        {"!=", "\\neq"}, {"<=", "\\leq"}, {">=", "\\geq"}, {"==", "="}, {"…", "\\dots "}};
     return table;
   }
 
@@ -63,6 +72,13 @@ class Translation {
 
   void number() {
     const std::string above = digits();
+    // "-1*u" is -u.
+    const bool after_number =
+        !result_.empty() && (is_digit(result_.back()) || result_.back() == '}');
+    if (above == "1" && after(0) == '*' && !is_digit(after(1)) && !after_number) {
+      ++at_;
+      return;
+    }
     if (after(0) == '/' && is_digit(after(1))) {
       ++at_;
       result_ += "\\tfrac{" + above + "}{" + digits() + "}";

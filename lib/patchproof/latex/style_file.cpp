@@ -15,6 +15,9 @@ std::string_view style_file() {
 \ifdefined\ppbook
   \setlength\oddsidemargin{.4cm}\setlength\evensidemargin{.4cm}\setlength\textwidth{15.2cm}
   \setlength\topmargin{-1cm}\setlength\textheight{24cm}
+  \raggedbottom
+  % Titles of cases are too long for the head of a page.
+  \AtBeginDocument{\renewcommand\sectionmark[1]{}}
 \fi
 
 % Letters: CMU has Cyrillic and all diacritics, and goes with the mathematics.
@@ -42,9 +45,9 @@ std::string_view style_file() {
 
 % ---- headings and text ----
 \newcommand\ppcase[3]{% title, name, sources
-  \par\ifdefined\ppbook\section{#1}\else\section*{#1}\fi
+  \par\ifdefined\ppbook\section[#1]{\raggedright #1}\else\section*{\raggedright #1}\fi
   {\parindent0pt\raggedright\small\texttt{#2}\par #3\par}}
-\newcommand\ppsource[1]{{\color{ppquiet}#1}\par}
+\newcommand\ppsource[1]{\textcolor{ppquiet}{#1}\par}
 \newcommand\ppquote[1]{\par{\small\begin{quote}\itshape #1\end{quote}}}
 \newcommand\ppheading[1]{\par\addpenalty{-100}\medskip
   {\noindent\textbf{\textsf{#1}}\par}\nobreak\smallskip}
@@ -57,7 +60,7 @@ std::string_view style_file() {
 \newcommand\pplabel[1]{{\footnotesize\texttt{#1}}}
 \newcommand\ppverdict[3]{\par\nobreak\smallskip % colour, verdict, evidence
   {\noindent\hbox to\linewidth{\hfil\textcolor{#1}{\rule[-.1ex]{1.2ex}{1.2ex}\enspace
-    \textbf{\textsf{#2}}}\small\color{ppquiet}\enspace #3}\par}}
+    \textbf{\textsf{#2}}}\small\enspace\textcolor{ppquiet}{#3}}\par}}
 \newcommand\ppalarm[2]{\par\smallskip{\noindent\fboxrule1.2pt\fcolorbox{#1}{white}{% colour, text
   \parbox{\dimexpr\linewidth-2\fboxsep-2\fboxrule}{\raggedright #2}}\par}}
 
@@ -79,24 +82,21 @@ std::string_view style_file() {
     \par\noindent\hbox to\linewidth{\hskip\pp@indent\box\pp@box\hfil\unhbox\pp@reason}\par
   \fi}
 \newcommand\pp@skips{\lineskiplimit2pt\lineskip4pt\baselineskip1.35\normalbaselineskip\relax}
-% Fills rows of width #1 with the content #2; a row is set behind \pp@before, later ones behind
+% Fills rows of width #1 with \pp@content; a row is set behind \pp@before, later ones behind
 % \pp@behind. The last row stays in \pp@row.
-\newcommand\pp@fill[2]{%
-  \pp@math\pp@row{#2}%
-  \ifdim\wd\pp@row>#1\relax
-    \setbox\pp@row\hbox{}%
-    \pp@count=0
-    \setbox\pp@piece\hbox{\let\pps\pp@counted#2}%
-    \ifnum\pp@count=0
-      \pp@math\pp@row{#2}\pp@fit\pp@row{#1}%
+\newcommand\pp@fill[1]{%
+  \pp@math\pp@row\pp@content
+  \pp@dimen=\dimexpr#1\relax
+  \ifdim\wd\pp@row>\pp@dimen
+    \expandafter\in@\expandafter{\expandafter\pps\expandafter}\expandafter{\pp@content}%
+    \ifin@
+      \setbox\pp@row\hbox{}%
+      \let\pps\pp@add\pp@content\let\pps\pp@plain
     \else
-      \pp@dimen=#1\relax
-      \let\pps\pp@add #2\let\pps\pp@plain
+      \pp@fit\pp@row\pp@dimen
     \fi
   \fi}
-\newcount\pp@count
 \newdimen\pp@dimen
-\newcommand\pp@counted[1]{\global\advance\pp@count by1 }
 \let\pp@plain\pps
 \newcommand\pp@add[1]{%
   \pp@math\pp@piece{{}#1}\pp@fit\pp@piece\pp@dimen
@@ -107,9 +107,10 @@ std::string_view style_file() {
   \setbox\pp@row\hbox{\unhbox\pp@row\unhbox\pp@piece}}
 % The reason of a step: at the right of its last row, or on a line of its own below it.
 \newcommand\pp@withreason[1]{%
-  \setbox\pp@reason\hbox{\small\color{ppquiet}#1}%
+  \setbox\pp@reason\hbox{\small\textcolor{ppquiet}{#1}}%
   \ifdim\dimexpr\pp@indent+\pp@left+\pp@relation+\wd\pp@row+\wd\pp@reason+1.5em>\linewidth
-    \setbox\pp@piece\vbox{\hsize.8\linewidth\raggedleft\parindent0pt\small\color{ppquiet}#1\par}%
+    \setbox\pp@piece\vbox{\hsize.8\linewidth\raggedleft\parindent0pt\small
+      \textcolor{ppquiet}{#1}\par}%
     \setbox\pp@reason\hbox{}%
     \pp@emit{\pp@before}\pp@row
     \ifpp@boxed\global\setbox\pp@result\vbox{\pp@skips\unvbox\pp@result\box\pp@piece}%
@@ -136,7 +137,7 @@ std::string_view style_file() {
     \def\pp@before{\hskip\pp@left$\displaystyle{}#1{}$}%
   \fi
   \def\pp@behind{\hskip\pp@left\hskip\pp@relation\hskip1.2em}%
-  \pp@fill\pp@space{#2}\pp@withreason{#3}%
+  \def\pp@content{#2}\pp@fill\pp@space\pp@withreason{#3}%
   \pp@firstfalse}
 % A left side that takes more than a third of the line has a row of its own, unless the first row
 % has room for both sides.
@@ -146,7 +147,7 @@ std::string_view style_file() {
     \ifdim\dimexpr\pp@left+\wd\pp@row+\pp@relation+2\pp@indent+4em>\linewidth
       \pp@space=\dimexpr\linewidth-2\pp@indent\relax
       \def\pp@before{}\def\pp@behind{\hskip1.2em}%
-      \pp@fill{\dimexpr\pp@space-1.2em-2\fboxsep\relax}{\pp@leftside}\pp@emit{\pp@before}\pp@row
+      \let\pp@content\pp@leftside\pp@fill{\pp@space-1.2em-2\fboxsep}\pp@emit{\pp@before}\pp@row
       \nobreak
       \pp@left=1.2em \pp@firstfalse
     \fi
@@ -154,12 +155,12 @@ std::string_view style_file() {
 % Mathematics without a relation.
 \newcommand\ppalone[1]{\par\addvspace{2pt}{\pp@skips\parindent0pt\setbox\pp@reason\hbox{}%
   \def\pp@before{}\def\pp@behind{\hskip1.2em}%
-  \pp@fill{\dimexpr\linewidth-2\pp@indent-1.2em-2\fboxsep\relax}{#1}\pp@emit{\pp@before}\pp@row\par}}
+  \def\pp@content{#1}\pp@fill{\linewidth-2\pp@indent-1.2em-2\fboxsep}\pp@emit{\pp@before}\pp@row\par}}
 
 % A side of a statement in words, and its value.
-\newcommand\ppside[2]{\par{\pp@skips\parindent0pt\setbox\pp@reason\hbox{}%
+\newcommand\ppside[2]{\par{\lineskiplimit2pt\lineskip4pt\parindent0pt\setbox\pp@reason\hbox{}%
   \def\pp@before{\hbox{#1:\enspace}}\def\pp@behind{\hskip3em}\setbox\pp@piece\hbox{#1:\enspace}%
-  \pp@fill{\dimexpr\linewidth-2\pp@indent-\wd\pp@piece-\fboxsep\relax}{#2}\pp@emit{\pp@before}\pp@row\par}}
+  \def\pp@content{#2}\pp@fill{\linewidth-2\pp@indent-\wd\pp@piece-\fboxsep}\pp@emit{\pp@before}\pp@row\par}}
 
 % A result: its chains in a box, or, where that is more than half a page, without one.
 \newenvironment{ppresult}{\par\addvspace{4pt}\pp@boxedtrue\global\setbox\pp@result\vbox{}%
@@ -170,7 +171,7 @@ std::string_view style_file() {
     \noindent\hbox to\linewidth{\hskip\pp@indent\kern-\fboxsep\fbox{\box\pp@result}\hfil}%
   \fi\par\addvspace{4pt}}
 % What a book prints and is false: a line through every row.
-\newenvironment{ppstruck}{\pp@strucktrue\color{ppquiet}}{\par}
+\newenvironment{ppstruck}{\pp@strucktrue}{\par}
 
 % ---- book ----
 \newcommand\pptitle[2]{\begin{titlepage}\vspace*{.25\textheight}\begin{center}

@@ -73,17 +73,28 @@ std::string joined_labels(const std::vector<std::string>& labels) {
   return text;
 }
 
+// Both sides on one line where they are short.
+std::string sides_text(const WitnessReport& witness, const Wording& wording) {
+  constexpr int short_side = 1000;
+  const auto is_short = [&](const std::string& plain) {
+    return estimated_width(plain_latex(plain, wording.names.notation)) < short_side;
+  };
+  if (witness.left.empty() && witness.right.empty()) return "";
+  if (is_short(witness.left) && is_short(witness.right))
+    return paragraph(wording(Word::left_side) + ": " + mathematics(witness.left, wording) + ", " +
+                     wording(Word::right_side) + ": " + mathematics(witness.right, wording));
+  return side(Word::left_side, witness.left, wording) +
+         side(Word::right_side, witness.right, wording);
+}
+
 }  // namespace
 
 std::string refutation_text(const Decision& decision, bool with_witness, const Wording& wording) {
   std::string text;
-  if (with_witness) {
+  if (with_witness)
     text += paragraph("\\textbf{" + wording(Word::counterexample) + ":} " +
-                      witness_values(decision.witness, wording));
-    if (!decision.witness.left.empty() || !decision.witness.right.empty())
-      text += side(Word::left_side, decision.witness.left, wording) +
-              side(Word::right_side, decision.witness.right, wording);
-  }
+                      witness_values(decision.witness, wording)) +
+            sides_text(decision.witness, wording);
   if (!decision.residual.empty()) text += side(Word::difference, decision.residual, wording);
   if (!decision.reason.empty()) text += paragraph(latex_escaped(decision.reason));
   return text;
