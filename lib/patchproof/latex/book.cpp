@@ -4,6 +4,7 @@
 #include <patchproof/latex/claim_text.hpp>
 #include <patchproof/latex/document.hpp>
 #include <patchproof/latex/freshness.hpp>
+#include <patchproof/latex/prose.hpp>
 #include <patchproof/latex/verdict_text.hpp>
 #include <patchproof/term/latex_name.hpp>
 
@@ -37,7 +38,7 @@ std::string erratum_text(const Page& page, const ClaimDerivation& item, bool goe
   std::string text;
   const bool printed = claim.verb == "printed";
   if (!goes_on)
-    text += "\\ppclaim{" + latex_escaped(given.title.empty() ? given.name : given.title) + ", " +
+    text += "\\ppclaim{" + prose(given.title.empty() ? given.name : given.title) + ", " +
             wording(Word::page) + "~\\pageref{case:" + given.name + "}}{" +
             latex_escaped(common_label(claim)) + "}\n";
   text += "\\pptext{" + wording(printed ? Word::printed : Word::corrected) + ":}\n";
@@ -47,7 +48,7 @@ std::string erratum_text(const Page& page, const ClaimDerivation& item, bool goe
     text += refutation_text(result.decision, true, wording);
   if (result.outcome != Outcome::as_expected) text += verdict_text(result, wording);
   if (!printed && !claim.note.empty())
-    text += "\\pptext{" + wording(Word::note) + ": " + latex_escaped(claim.note) + "}\n";
+    text += "\\pptext{" + wording(Word::note) + ": " + prose(claim.note) + "}\n";
   return text;
 }
 

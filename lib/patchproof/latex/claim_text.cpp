@@ -5,6 +5,7 @@
 #include <patchproof/latex/given_text.hpp>
 #include <patchproof/latex/line_breaks.hpp>
 #include <patchproof/latex/plain_latex.hpp>
+#include <patchproof/latex/prose.hpp>
 #include <patchproof/latex/verdict_text.hpp>
 #include <patchproof/term/latex_name.hpp>
 
@@ -43,7 +44,7 @@ std::string minimum_text(const MinimumClaim& claim, const Wording& wording) {
   const std::string competitor = to_latex(goal.membership.left, wording.names);
   return "\\ppalone{" + breakable(candidate) + "}\n" + paragraph(wording(Word::minimizes)) +
          "\\ppalone{" + breakable(competitor) + "}\n" + paragraph(wording(Word::where)) +
-         statements_text(goal.constraints, wording);
+         relations_text(goal.constraints, wording);
 }
 
 Word opening_of(Passage::Kind kind) {
@@ -141,7 +142,7 @@ std::string claim_text(const ClaimResult& result, const ClaimDerivation& derivat
     text += paragraph(wording(Word::further_instances) + ": " +
                       std::to_string(derivation.further_instances) + ".");
   if (claim.verb == "corrected" && !claim.note.empty())
-    text += paragraph(wording(Word::note) + ": " + latex_escaped(claim.note));
+    text += paragraph(wording(Word::note) + ": " + prose(claim.note));
   return text;
 }
 

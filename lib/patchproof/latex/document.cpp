@@ -4,6 +4,7 @@
 #include <patchproof/latex/claim_text.hpp>
 #include <patchproof/latex/freshness.hpp>
 #include <patchproof/latex/given_text.hpp>
+#include <patchproof/latex/prose.hpp>
 #include <patchproof/term/latex_name.hpp>
 
 namespace patchproof {
@@ -13,10 +14,10 @@ namespace {
 std::string sources_text(const Case& given, const Wording& wording) {
   std::string text;
   for (const Source& source : given.sources) {
-    text += "\\ppsource{" + wording(Word::source) + ": " + latex_escaped(source.work);
+    text += "\\ppsource{" + wording(Word::source) + ": " + prose(source.work);
     if (!source.section.empty())
-      text += ", " + wording(Word::section) + " " + latex_escaped(source.section);
-    if (!source.page.empty()) text += ", " + wording(Word::page) + "~" + latex_escaped(source.page);
+      text += ", " + wording(Word::section) + " " + prose(source.section);
+    if (!source.page.empty()) text += ", " + wording(Word::page) + "~" + prose(source.page);
     text += "}";
   }
   return text;
@@ -34,10 +35,10 @@ std::string place_comment(const Claim& claim) {
 std::string body(const Page& page, const DocumentOptions& options) {
   const Case& given = page.result.verified;
   const Wording wording{page.derivation.names, options.language};
-  std::string text = "\\ppcase{" + latex_escaped(given.title.empty() ? given.name : given.title) +
-                     "}{" + latex_escaped(given.name) + "}{" + sources_text(given, wording) +
-                     "}\n" + "\\label{case:" + given.name + "}\n";
-  if (!given.quote.empty()) text += "\\ppquote{" + latex_escaped(given.quote) + "}\n";
+  std::string text = "\\ppcase{" + prose(given.title.empty() ? given.name : given.title) + "}{" +
+                     latex_escaped(given.name) + "}{" + sources_text(given, wording) + "}\n" +
+                     "\\label{case:" + given.name + "}\n";
+  if (!given.quote.empty()) text += "\\ppquote{" + prose(given.quote) + "}\n";
   text += given_text(given, wording);
   const std::string definitions = passages_text(page.derivation.definitions, wording, false);
   if (!definitions.empty())
@@ -60,8 +61,9 @@ std::string body(const Page& page, const DocumentOptions& options) {
 std::string file_name(const Case& given) { return given.name + ".tex"; }
 
 std::string preamble(const std::string& document_class, Language language) {
-  return "\\documentclass[11pt,a4paper]{" + document_class + "}\n\\usepackage[" +
-         babel_name(language) + "]{babel}\n\\usepackage{patchproof}\n";
+  return "\\documentclass[11pt,a4paper" + std::string{document_class == "book" ? ",openany" : ""} +
+         "]{" + document_class + "}\n\\usepackage[" + babel_name(language) +
+         "]{babel}\n\\usepackage{patchproof}\n";
 }
 
 std::string document(const Page& page, const DocumentOptions& options) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <patchproof/latex/line_breaks.hpp>
+#include <patchproof/latex/prose.hpp>
 #include <patchproof/term/latex_name.hpp>
 
 namespace patchproof {
@@ -146,9 +147,9 @@ std::string assumptions_text(const Case& given, const Wording& wording) {
       statements.push_back(goal->assumptions[written.first + k].statement);
     if (!written.label.empty())
       text += "\\pptext{\\pplabel{" + latex_escaped(written.label) + "}}\n";
-    text += statements_text(statements, wording);
+    text += relations_text(statements, wording);
     if (!written.note.empty())
-      text += "\\pptext{" + wording(Word::note) + ": " + latex_escaped(written.note) + "}\n";
+      text += "\\pptext{" + wording(Word::note) + ": " + prose(written.note) + "}\n";
   }
   if (text.empty()) return "";
   return "\\ppheading{" + wording(Word::assumptions) + "}\n" + text;

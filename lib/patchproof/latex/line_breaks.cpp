@@ -15,7 +15,7 @@ constexpr int bracket = 39;
 constexpr int sign = 122;
 constexpr int symbol = 62;
 constexpr int surely_fits = 1100;
-constexpr int widest_piece = 1500;
+constexpr int widest_piece = 2200;
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
@@ -168,7 +168,11 @@ class Cut {
   void take(std::size_t begin, std::size_t end) {
     while (begin < end && text_[begin] == ' ') ++begin;
     while (end > begin && text_[end - 1] == ' ') --end;
-    if (end > begin) parts_.push_back(text_.substr(begin, end - begin));
+    if (end == begin) return;
+    std::string part = text_.substr(begin, end - begin);
+    // The space behind a comma would be lost at the end of a formula.
+    if (part.ends_with(',') && !part.ends_with("\\,")) part += "\\,";
+    parts_.push_back(std::move(part));
   }
 
   const std::string& text_;

@@ -110,6 +110,20 @@ std::string statements_text(const std::vector<Statement>& statements, const Word
   return text;
 }
 
+std::string relations_text(const std::vector<Statement>& statements, const Wording& wording) {
+  constexpr int widest = 1400;
+  std::string text;
+  for (std::size_t k = 0; k < statements.size(); ++k) {
+    const Statement& statement = statements[k];
+    const std::string relation = to_latex(statement.left, wording.names) + " " +
+                                 relation_text(statement.relation) + " " +
+                                 to_latex(statement.right, wording.names);
+    if (estimated_width(relation) > widest) return statements_text(statements, wording);
+    text += "\\pps{" + relation + (k + 1 < statements.size() ? ",\\quad" : "") + "}";
+  }
+  return "\\ppalone{" + text + "}\n";
+}
+
 std::string equation_text(const std::string& left, const std::string& right) {
   return chain(left, line("=", right, ""));
 }

@@ -23,6 +23,9 @@ std::string relation_text(Relation relation);
 /// a == b == c, are one chain.
 std::string statements_text(const std::vector<Statement>& statements, const Wording& wording);
 
+/// The same without alignment: short statements are one behind the other.
+std::string relations_text(const std::vector<Statement>& statements, const Wording& wording);
+
 /// `name = value`, as a chain.
 std::string equation_text(const std::string& left, const std::string& right);
 

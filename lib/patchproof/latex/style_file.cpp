@@ -18,6 +18,7 @@ std::string_view style_file() {
   \raggedbottom
   % Titles of cases are too long for the head of a page.
   \AtBeginDocument{\renewcommand\sectionmark[1]{}}
+  \def\@tocrmarg{3em plus 1fil}
 \fi
 
 % Letters: CMU has Cyrillic and all diacritics, and goes with the mathematics.
@@ -97,11 +98,12 @@ std::string_view style_file() {
     \fi
   \fi}
 \newdimen\pp@dimen
+\newdimen\pp@later                       % the width of all rows but the first
 \let\pp@plain\pps
 \newcommand\pp@add[1]{%
   \pp@math\pp@piece{{}#1}\pp@fit\pp@piece\pp@dimen
   \ifdim\dimexpr\wd\pp@row+\wd\pp@piece>\pp@dimen
-    \ifdim\wd\pp@row>0pt \pp@emit{\pp@before}\pp@row \let\pp@before\pp@behind\fi
+    \ifdim\wd\pp@row>0pt \pp@emit{\pp@before}\pp@row \let\pp@before\pp@behind\pp@dimen=\pp@later\fi
     \setbox\pp@row\hbox{}%
   \fi
   \setbox\pp@row\hbox{\unhbox\pp@row\unhbox\pp@piece}}
@@ -137,7 +139,7 @@ std::string_view style_file() {
     \def\pp@before{\hskip\pp@left$\displaystyle{}#1{}$}%
   \fi
   \def\pp@behind{\hskip\pp@left\hskip\pp@relation\hskip1.2em}%
-  \def\pp@content{#2}\pp@fill\pp@space\pp@withreason{#3}%
+  \def\pp@content{#2}\pp@later=\pp@space\pp@fill\pp@space\pp@withreason{#3}%
   \pp@firstfalse}
 % A left side that takes more than a third of the line has a row of its own, unless the first row
 % has room for both sides.
@@ -147,7 +149,8 @@ std::string_view style_file() {
     \ifdim\dimexpr\pp@left+\wd\pp@row+\pp@relation+2\pp@indent+4em>\linewidth
       \pp@space=\dimexpr\linewidth-2\pp@indent\relax
       \def\pp@before{}\def\pp@behind{\hskip1.2em}%
-      \let\pp@content\pp@leftside\pp@fill{\pp@space-1.2em-2\fboxsep}\pp@emit{\pp@before}\pp@row
+      \let\pp@content\pp@leftside\pp@later=\dimexpr\pp@space-1.2em-2\fboxsep\relax
+      \pp@fill{\pp@space-1.2em-2\fboxsep}\pp@emit{\pp@before}\pp@row
       \nobreak
       \pp@left=1.2em \pp@firstfalse
     \fi
@@ -155,12 +158,14 @@ std::string_view style_file() {
 % Mathematics without a relation.
 \newcommand\ppalone[1]{\par\addvspace{2pt}{\pp@skips\parindent0pt\setbox\pp@reason\hbox{}%
   \def\pp@before{}\def\pp@behind{\hskip1.2em}%
-  \def\pp@content{#1}\pp@fill{\linewidth-2\pp@indent-1.2em-2\fboxsep}\pp@emit{\pp@before}\pp@row\par}}
+  \def\pp@content{#1}\pp@later=\dimexpr\linewidth-2\pp@indent-1.2em-2\fboxsep\relax
+  \pp@fill\pp@later\pp@emit{\pp@before}\pp@row\par}}
 
 % A side of a statement in words, and its value.
-\newcommand\ppside[2]{\par{\lineskiplimit2pt\lineskip4pt\parindent0pt\setbox\pp@reason\hbox{}%
+\newcommand\ppside[2]{\par{\pp@indent0pt\lineskiplimit2pt\lineskip4pt\parindent0pt\setbox\pp@reason\hbox{}%
   \def\pp@before{\hbox{#1:\enspace}}\def\pp@behind{\hskip3em}\setbox\pp@piece\hbox{#1:\enspace}%
-  \def\pp@content{#2}\pp@fill{\linewidth-2\pp@indent-\wd\pp@piece-\fboxsep}\pp@emit{\pp@before}\pp@row\par}}
+  \def\pp@content{#2}\pp@later=\dimexpr\linewidth-4em\relax
+  \pp@fill{\linewidth-\wd\pp@piece-1em}\pp@emit{\pp@before}\pp@row\par}}
 
 % A result: its chains in a box, or, where that is more than half a page, without one.
 \newenvironment{ppresult}{\par\addvspace{4pt}\pp@boxedtrue\global\setbox\pp@result\vbox{}%

@@ -2,6 +2,7 @@
 
 #include <patchproof/latex/line_breaks.hpp>
 #include <patchproof/latex/plain_latex.hpp>
+#include <patchproof/latex/prose.hpp>
 #include <patchproof/term/latex_name.hpp>
 
 namespace patchproof {
@@ -62,7 +63,7 @@ std::string frame_text(const ClaimResult& result, const Wording& wording) {
   std::string text = "\\ppalarm{" + colour_of(decision.verdict) + "}{\\textbf{\\textsf{" +
                      wording(word_of(decision.verdict)) + "}}";
   if (!decision.reason.empty())
-    text += "\\par " + wording(Word::reason) + ": " + latex_escaped(decision.reason);
+    text += "\\par " + wording(Word::reason) + ": " + prose(decision.reason);
   return text + "}\n";
 }
 
@@ -96,7 +97,7 @@ std::string refutation_text(const Decision& decision, bool with_witness, const W
                       witness_values(decision.witness, wording)) +
             sides_text(decision.witness, wording);
   if (!decision.residual.empty()) text += side(Word::difference, decision.residual, wording);
-  if (!decision.reason.empty()) text += paragraph(latex_escaped(decision.reason));
+  if (!decision.reason.empty()) text += paragraph(prose(decision.reason));
   return text;
 }
 
@@ -114,10 +115,9 @@ std::string verdict_text(const ClaimResult& result, const Wording& wording) {
       free += (free.empty() ? "" : ", ") + mathematics(name, wording);
     text += paragraph(wording(Word::free_unknowns) + " " + free + ".");
   }
-  for (const auto& [name, value] : decision.details)
-    text += paragraph(latex_escaped(name + ": " + value));
+  for (const auto& [name, value] : decision.details) text += paragraph(prose(name + ": " + value));
   if (decision.verdict == Verdict::inconsistent && !decision.reason.empty())
-    text += paragraph(latex_escaped(decision.reason));
+    text += paragraph(prose(decision.reason));
   if (!decision.assumptions_used.empty())
     text += paragraph(wording(Word::assumptions_used) + ": " +
                       joined_labels(decision.assumptions_used));
