@@ -18,6 +18,7 @@
 #include <patchproof/latex/freshness.hpp>
 #include <patchproof/latex/style_file.hpp>
 #include <patchproof/report/text_report.hpp>
+#include <patchproof/report/verdict_words.hpp>
 
 namespace patchproof {
 
@@ -118,6 +119,17 @@ bool written(const LatexArguments& arguments, const std::vector<Page>& pages,
          write(arguments.folder, book_name, book(pages, options), inputs);
 }
 
+/// Names the claims that a reader of the documents will find marked.
+void say_what_needs_attention(const Report& report) {
+  for (const FileReport& file : report.files)
+    for (const CaseResult& result : file.cases)
+      for (const ClaimResult& claim : result.claims)
+        if (needs_attention(claim, report.strict))
+          print_error("patchproof: " + claim_id(result.verified, claim.claim) + ": expected " +
+                      expected_verdict(claim.claim.expectation) + ", found " +
+                      verdict_line(claim.decision) + "\n");
+}
+
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -160,6 +172,7 @@ ExitCode run(const LatexArguments& arguments) {
     pages = pages_of(report, check, options);
   }
   print_error(mistakes(report));
+  say_what_needs_attention(report);
   ExitCode code = exit_code(report);
   say_what_is_empty(paths, selection, files, pages.empty());
   if (pages.empty()) return code;
