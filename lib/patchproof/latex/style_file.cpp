@@ -72,12 +72,13 @@ std::string_view style_file() {
 \newcommand\pp@fit[2]{\ifdim\wd#1>#2\setbox#1\hbox{\resizebox{#2}{!}{\box#1}}\fi}
 \newcommand\pp@strike[1]{\hbox{\rlap{\textcolor{ppbad}{\rule[.22em]{\wd#1}{.7pt}}}%
   \unhbox#1}}
+\newcommand\pp@sofar{\ifdim\ht\pp@result>0pt\unvbox\pp@result\vskip5pt\fi}
 % One finished row: what stands before it, the box with the row.
 \newcommand\pp@emit[2]{%
   \setbox\pp@box\hbox{\let\pps\pp@plain#1\box#2}%
   \ifpp@struck\setbox\pp@box\pp@strike\pp@box\fi
   \ifpp@boxed
-    \global\setbox\pp@result\vbox{\pp@skips\unvbox\pp@result
+    \global\setbox\pp@result\vbox{\pp@sofar
       \hbox{\box\pp@box\ifdim\wd\pp@reason>0pt\hskip2em\unhbox\pp@reason\fi}}%
   \else
     \par\noindent\hbox to\linewidth{\hskip\pp@indent\box\pp@box\hfil\unhbox\pp@reason}\par
@@ -115,7 +116,7 @@ std::string_view style_file() {
       \textcolor{ppquiet}{#1}\par}%
     \setbox\pp@reason\hbox{}%
     \pp@emit{\pp@before}\pp@row
-    \ifpp@boxed\global\setbox\pp@result\vbox{\pp@skips\unvbox\pp@result\box\pp@piece}%
+    \ifpp@boxed\global\setbox\pp@result\vbox{\pp@sofar\box\pp@piece}%
     \else\par\nobreak\noindent\hbox to\linewidth{\hfil\box\pp@piece}\par\fi
   \else
     \pp@emit{\pp@before}\pp@row
@@ -132,7 +133,7 @@ std::string_view style_file() {
   \pp@math\pp@piece{{}#1{}}\pp@relation=\wd\pp@piece
   \ifpp@first\pp@placeleft{#2}\fi
   \pp@space=\dimexpr\linewidth-\pp@indent-\pp@left-\pp@relation-1.2em\relax
-  \ifpp@boxed\advance\pp@space-2\fboxsep\advance\pp@space-2em\fi
+  \ifpp@boxed\advance\pp@space-10pt\advance\pp@space-2em\fi
   \ifpp@first
     \def\pp@before{\hbox to\pp@left{$\displaystyle\pp@leftside$\hfil}$\displaystyle{}#1{}$}%
   \else
@@ -173,7 +174,7 @@ std::string_view style_file() {
   \ifdim\dimexpr\ht\pp@result+\dp\pp@result>.5\textheight
     \unvbox\pp@result
   \else
-    \noindent\hbox to\linewidth{\hskip\pp@indent\kern-\fboxsep\fbox{\box\pp@result}\hfil}%
+    \noindent\hbox to\linewidth{\hskip\pp@indent\fboxsep5pt\kern-\fboxsep\fbox{\box\pp@result}\hfil}%
   \fi\par\addvspace{4pt}}
 % What a book prints and is false: a line through every row.
 \newenvironment{ppstruck}{\pp@strucktrue}{\par}
