@@ -39,6 +39,12 @@ TEST_CASE("mathematics that surely fits stays as it is") {
         "\\pps{" + summand + "}\\pps{+ " + summand + "}\\pps{+ " + summand + "}");
 }
 
+TEST_CASE("a minus at the beginning is no difference") {
+  const std::string summand = "\\alpha\\,\\beta\\,\\gamma\\,\\delta\\,xyz";
+  CHECK(breakable("-" + summand + " - " + summand + " - " + summand) ==
+        "\\pps{{-}" + summand + "}\\pps{- " + summand + "}\\pps{- " + summand + "}");
+}
+
 TEST_CASE("widths grow with the text, and a matrix is as wide as its widest row") {
   CHECK(estimated_width("") == 0);
   CHECK(estimated_width("a + b") > estimated_width("ab"));

@@ -228,8 +228,10 @@ std::vector<std::string> pieces(const std::string& latex) {
 
 std::string breakable(const std::string& latex) {
   if (estimated_width(latex) <= surely_fits) return latex;
-  const std::vector<std::string> parts = pieces(latex);
+  std::vector<std::string> parts = pieces(latex);
   if (parts.size() == 1) return latex;
+  // The first sign belongs to its summand; the others stand between two.
+  if (parts.front().front() == '-') parts.front().replace(0, 1, "{-}");
   std::string result;
   for (const std::string& part : parts) result += "\\pps{" + part + "}";
   return result;
