@@ -11,6 +11,7 @@ namespace patchproof {
 void add_check(CLI::App& program, ExitCode& result);
 void add_repair(CLI::App& program, ExitCode& result);
 void add_format(CLI::App& program, ExitCode& result);
+void add_latex(CLI::App& program, ExitCode& result);
 void add_definitions(CLI::App& program, ExitCode& result);
 void add_dump(CLI::App& program, ExitCode& result);
 

@@ -49,6 +49,7 @@ int run(int argument_count, char* arguments[]) {
   add_check(program, result);
   add_repair(program, result);
   add_format(program, result);
+  add_latex(program, result);
   add_definitions(program, result);
   add_dump(program, result);
   try {

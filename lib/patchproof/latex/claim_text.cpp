@@ -1,0 +1,154 @@
+#include <patchproof/latex/claim_text.hpp>
+
+#include <algorithm>
+
+#include <patchproof/latex/given_text.hpp>
+#include <patchproof/latex/line_breaks.hpp>
+#include <patchproof/latex/plain_latex.hpp>
+#include <patchproof/latex/prose.hpp>
+#include <patchproof/latex/verdict_text.hpp>
+#include <patchproof/term/latex_name.hpp>
+
+namespace patchproof {
+
+namespace {
+
+std::string paragraph(const std::string& text) { return "\\pptext{" + text + "}\n"; }
+
+std::string in_result(const std::string& chains) {
+  return "\\begin{ppresult}\n" + chains + "\\end{ppresult}\n";
+}
+
+std::string derive_text(const DeriveClaim& claim, Expectation expectation, const Wording& wording) {
+  std::string unknowns;
+  for (const SymbolPointer& unknown : claim.goal.unknowns)
+    unknowns += (unknowns.empty() ? "$" : ", $") + symbol_text(*unknown, wording) + "$";
+  std::string text =
+      paragraph(wording(Word::find) + " " + unknowns + " " + wording(Word::such_that)) +
+      statements_text(claim.goal.goal.statements, wording);
+  if (!claim.gives.empty())
+    text += paragraph(wording(Word::says_the_author)) + statements_text(claim.gives, wording);
+  if (!claim.leaves.empty()) {
+    std::string free;
+    for (const SymbolPointer& symbol : claim.leaves)
+      free += (free.empty() ? "$" : ", $") + symbol_text(*symbol, wording) + "$";
+    text += paragraph(wording(Word::left_open) + " " + free + ".");
+  }
+  if (expectation == Expectation::inconsistent) text += paragraph(wording(Word::no_solution));
+  return text;
+}
+
+std::string minimum_text(const MinimumClaim& claim, const Wording& wording) {
+  const MinimumGoal& goal = claim.goal;
+  const std::string candidate = to_latex(goal.membership.right, wording.names);
+  const std::string competitor = to_latex(goal.membership.left, wording.names);
+  return "\\ppalone{" + breakable(candidate) + "}\n" + paragraph(wording(Word::minimizes)) +
+         "\\ppalone{" + breakable(competitor) + "}\n" + paragraph(wording(Word::where)) +
+         relations_text(goal.constraints, wording);
+}
+
+Word opening_of(Passage::Kind kind) {
+  switch (kind) {
+    case Passage::Kind::definition:
+      return Word::by_definition;
+    case Passage::Kind::computation:
+      return Word::we_compute;
+    case Passage::Kind::condition:
+      return Word::it_must_hold;
+    case Passage::Kind::result:
+      return Word::hence;
+    case Passage::Kind::check:
+      return Word::check;
+    case Passage::Kind::witness:
+      return Word::counterexample;
+    default:
+      return Word::variation;
+  }
+}
+
+bool has_passage(const CheckedDerivation& derivation, Passage::Kind kind) {
+  return std::any_of(derivation.passages().begin(), derivation.passages().end(),
+                     [&](const CheckedPassage& passage) { return passage.kind == kind; });
+}
+
+// What `derive` found, where the derivation does not say it.
+std::string solution_text(const Decision& decision, const Wording& wording) {
+  std::string chains;
+  for (const KnownValue& value : decision.solution)
+    chains +=
+        equation_text(symbol_text(*value.symbol, wording), to_latex(value.value, wording.names));
+  return chains.empty() ? "" : in_result(chains);
+}
+
+}  // namespace
+
+std::string statement_text(const Claim& claim, const Wording& wording) {
+  std::string text;
+  if (const auto* derive = std::get_if<DeriveClaim>(&claim.kind))
+    text = derive_text(*derive, claim.expectation, wording);
+  else if (const auto* minimum = std::get_if<MinimumClaim>(&claim.kind))
+    text = minimum_text(*minimum, wording);
+  else
+    text = statements_text(goal_of(claim).statements, wording);
+  if (claim.uses.empty()) return text;
+  std::string labels;
+  for (const std::string& label : claim.uses)
+    labels += (labels.empty() ? "" : ", ") + std::string{"\\pplabel{"} + latex_escaped(label) + "}";
+  return text + paragraph("(" + wording(Word::using_results) + " " + labels + ")");
+}
+
+std::string passages_text(const CheckedDerivation& derivation, const Wording& wording,
+                          bool with_words) {
+  std::string text;
+  std::optional<Passage::Kind> before;
+  for (const CheckedPassage& passage : derivation.passages()) {
+    const bool witness = passage.kind == Passage::Kind::witness;
+    // Paragraphs of one sort are one after the other, and are introduced once.
+    if (witness)
+      text += paragraph("\\textbf{" + wording(Word::counterexample) + ":} " +
+                        values_text(passage.values, wording));
+    else if (with_words && before != passage.kind)
+      text += paragraph(wording(opening_of(passage.kind)));
+    before = passage.kind;
+    std::string chains;
+    for (const CheckedChain& chain : passage.chains) chains += chain_text(chain, wording);
+    text += passage.kind == Passage::Kind::result ? in_result(chains) : chains;
+  }
+  return text;
+}
+
+std::string claim_text(const ClaimResult& result, const ClaimDerivation& derivation,
+                       bool goes_on_with_erratum, const Wording& wording) {
+  const Claim& claim = result.claim;
+  const bool printed = claim.verb == "printed";
+  const bool erratum = printed || claim.verb == "corrected";
+  std::string text;
+  if (!goes_on_with_erratum)
+    text += "\\ppclaim{" + wording(erratum ? Word::erratum : Word::claim) + "}{" +
+            latex_escaped(common_label(claim) + claim.instance) + "}\n";
+  if (erratum) text += paragraph(wording(printed ? Word::printed : Word::corrected) + ":");
+  const std::string statement = statement_text(claim, wording);
+  text += printed ? "\\begin{ppstruck}\n" + statement + "\\end{ppstruck}\n" : statement;
+  if (!derivation.derivation.passages().empty())
+    text += "\\ppderivation{" + wording(Word::derivation) + "}\n" +
+            passages_text(derivation.derivation, wording);
+  if (!has_passage(derivation.derivation, Passage::Kind::result))
+    text += solution_text(result.decision, wording);
+  if (result.decision.verdict == Verdict::refuted)
+    text += refutation_text(result.decision,
+                            !has_passage(derivation.derivation, Passage::Kind::witness), wording);
+  text += verdict_text(result, wording);
+  if (derivation.further_instances > 0)
+    text += paragraph(wording(Word::further_instances) + ": " +
+                      std::to_string(derivation.further_instances) + ".");
+  if (claim.verb == "corrected" && !claim.note.empty())
+    text += paragraph(wording(Word::note) + ": " + prose(claim.note));
+  return text;
+}
+
+std::string common_label(const Claim& claim) {
+  if (claim.verb != "printed" && claim.verb != "corrected") return claim.label;
+  return claim.label.substr(0, claim.label.rfind('.'));
+}
+
+}  // namespace patchproof

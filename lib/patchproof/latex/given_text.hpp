@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include <patchproof/claims/verification.hpp>
+#include <patchproof/latex/mathematics.hpp>
+
+namespace patchproof {
+
+/// What a case takes as given: points, numbers, curves of some smoothness, parameters with their
+/// ranges; of a family of cases what its first instance has. "" where nothing is given.
+std::string given_text(const Case& given, const Wording& wording);
+
+/// The assumptions of a case with their labels and the notes of the author; "" without any.
+std::string assumptions_text(const Case& given, const Wording& wording);
+
+/// The goal of a claim of any kind.
+const Goal& goal_of(const Claim& claim);
+
+}  // namespace patchproof
