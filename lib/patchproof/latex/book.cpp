@@ -45,7 +45,7 @@ std::string erratum_text(const Page& page, const ClaimDerivation& item, bool goe
   const std::string statement = statement_text(claim, wording);
   text += printed ? "\\begin{ppstruck}\n" + statement + "\\end{ppstruck}\n" : statement;
   if (printed && result.decision.verdict == Verdict::refuted)
-    text += refutation_text(result.decision, true, wording);
+    text += refutation_text(result.decision, {}, wording);
   if (result.outcome != Outcome::as_expected) text += verdict_text(result, wording);
   if (!printed && !claim.note.empty())
     text += "\\pptext{" + wording(Word::note) + ": " + prose(claim.note) + "}\n";

@@ -61,6 +61,8 @@ Word opening_of(Passage::Kind kind) {
       return Word::check;
     case Passage::Kind::witness:
       return Word::counterexample;
+    case Passage::Kind::difference:
+      return Word::difference;
     default:
       return Word::variation;
   }
@@ -69,6 +71,13 @@ Word opening_of(Passage::Kind kind) {
 bool has_passage(const CheckedDerivation& derivation, Passage::Kind kind) {
   return std::any_of(derivation.passages().begin(), derivation.passages().end(),
                      [&](const CheckedPassage& passage) { return passage.kind == kind; });
+}
+
+bool has_chains(const CheckedDerivation& derivation, Passage::Kind kind) {
+  return std::any_of(derivation.passages().begin(), derivation.passages().end(),
+                     [&](const CheckedPassage& passage) {
+                       return passage.kind == kind && !passage.chains.empty();
+                     });
 }
 
 // What `derive` found, where the derivation does not say it.
@@ -136,7 +145,10 @@ std::string claim_text(const ClaimResult& result, const ClaimDerivation& derivat
     text += solution_text(result.decision, wording);
   if (result.decision.verdict == Verdict::refuted)
     text += refutation_text(result.decision,
-                            !has_passage(derivation.derivation, Passage::Kind::witness), wording);
+                            {!has_passage(derivation.derivation, Passage::Kind::witness),
+                             !has_chains(derivation.derivation, Passage::Kind::witness),
+                             !has_passage(derivation.derivation, Passage::Kind::difference)},
+                            wording);
   text += verdict_text(result, wording);
   if (derivation.further_instances > 0)
     text += paragraph(wording(Word::further_instances) + ": " +

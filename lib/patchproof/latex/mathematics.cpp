@@ -75,6 +75,11 @@ bool is_zero(const Term& value) {
   }
 }
 
+// Of a function what it is at its parameters.
+const Term& body_of(const Term& value) {
+  return value.operation() == Operation::lambda ? value.child(0) : value;
+}
+
 }  // namespace
 
 std::string relation_text(Relation relation) {
@@ -141,12 +146,12 @@ std::string values_text(const std::vector<KnownValue>& values, const Wording& wo
   std::string text;
   bool zeros = false;
   for (const KnownValue& value : values) {
-    if (is_zero(value.value)) {
+    if (is_zero(value.value) && value.symbol->role != Symbol::Role::parameter) {
       zeros = true;
       continue;
     }
     text += (text.empty() ? "$" : ", $") + symbol_text(*value.symbol, wording) + " = " +
-            to_latex(value.value, wording.names) + "$";
+            to_latex(body_of(value.value), wording.names) + "$";
   }
   if (values.empty()) return wording(Word::any_values);
   if (zeros) text += (text.empty() ? "" : "; ") + wording(Word::all_others_zero);

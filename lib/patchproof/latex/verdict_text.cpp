@@ -90,13 +90,15 @@ std::string sides_text(const WitnessReport& witness, const Wording& wording) {
 
 }  // namespace
 
-std::string refutation_text(const Decision& decision, bool with_witness, const Wording& wording) {
+std::string refutation_text(const Decision& decision, const RefutationParts& parts,
+                            const Wording& wording) {
   std::string text;
-  if (with_witness)
+  if (parts.values)
     text += paragraph("\\textbf{" + wording(Word::counterexample) + ":} " +
-                      witness_values(decision.witness, wording)) +
-            sides_text(decision.witness, wording);
-  if (!decision.residual.empty()) text += side(Word::difference, decision.residual, wording);
+                      witness_values(decision.witness, wording));
+  if (parts.sides) text += sides_text(decision.witness, wording);
+  if (parts.difference && !decision.residual.empty())
+    text += side(Word::difference, decision.residual, wording);
   if (!decision.reason.empty()) text += paragraph(prose(decision.reason));
   return text;
 }

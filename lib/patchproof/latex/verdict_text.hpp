@@ -7,9 +7,16 @@
 
 namespace patchproof {
 
-/// What makes a refuted claim false: the witness and both sides there, and the difference of the
-/// sides; the witness is left out where the derivation shows one.
-std::string refutation_text(const Decision& decision, bool with_witness, const Wording& wording);
+/// What of a refutation is still to be said; the rest is in the derivation.
+struct RefutationParts {
+  bool values = true;      ///< of the witness
+  bool sides = true;       ///< both sides at the witness
+  bool difference = true;  ///< of the sides
+};
+
+/// What makes a refuted claim false: the witness and both sides there, and their difference.
+std::string refutation_text(const Decision& decision, const RefutationParts& parts,
+                            const Wording& wording);
 
 /// Verdict and evidence in plain sight, with conditions, reasons, and what else belongs to them.
 ///

@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <numeric>
+
+#include <patchproof/term/latex_writer.hpp>
+#include <patchproof/term/replacement.hpp>
+
+namespace patchproof {
+
+bool LatexWriter::is_expression(const Term& function) const {
+  return function.operation() == Operation::lambda && !name_of(function);
+}
+
+Term LatexWriter::at_arguments(const Term& term) {
+  const Term& function = term.child(0);
+  std::map<unsigned, Term> images;
+  for (std::size_t k = 0; k < function.formals().size(); ++k)
+    images.emplace(function.formals()[k]->ordinal, term.child(k + 1));
+  return replaced(function.child(0), images);
+}
+
+std::string LatexWriter::apply(const Term& term) {
+  const Term& function = term.child(0);
+  if (is_expression(function)) return of(at_arguments(term));
+  return of(function) + latex_bracketed(list(term.children(), 1));
+}
+
+std::string LatexWriter::derivative(const Term& term) {
+  const Term* base = &term;
+  Indices orders(term.indices().size(), 0);
+  for (; base->operation() == Operation::derivative && !name_of(*base); base = &base->child(0))
+    for (std::size_t i = 0; i < orders.size(); ++i) orders[i] += base->indices().at(i);
+  const std::vector<std::string>& parameters = base->type().parameters;
+  const int total = std::accumulate(orders.begin(), orders.end(), 0);
+  if (total == 0) return of(*base);
+  if (names_.notation.derivatives == DerivativeStyle::fraction)
+    return derivative_fraction(*base, orders, total);
+  const std::optional<LatexName> name = symbol_name(*base);
+  const std::string plain = name ? name->text() : latex_bracketed(of(*base));
+  if (orders.size() == 1) {
+    if (total <= 3) return plain + std::string(static_cast<std::size_t>(total), '\'');
+    return plain + "^{(" + std::to_string(total) + ")}";
+  }
+  std::string letters;
+  for (std::size_t i = 0; i < orders.size(); ++i)
+    for (int k = 0; k < orders[i]; ++k) letters += parameters.at(i);
+  if (names_.notation.derivatives == DerivativeStyle::superscript)
+    return plain + "^{" + letters + "}";
+  if (name && !name->index.empty()) return "(" + plain + ")_{" + letters + "}";
+  return plain + "_{" + letters + "}";
+}
+
+std::string LatexWriter::derivative_fraction(const Term& base, const Indices& orders, int total) {
+  const std::string power = total > 1 ? "^{" + std::to_string(total) + "}" : "";
+  const char* d = orders.size() == 1 ? "\\mathrm{d}" : "\\partial";
+  std::string below;
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    if (orders[i] == 0) continue;
+    below += (below.empty() ? "" : "\\,") + std::string{d} + " " + base.type().parameters.at(i);
+    if (orders[i] > 1) below += "^{" + std::to_string(orders[i]) + "}";
+  }
+  return "\\frac{" + std::string{d} + power + " " + within(base, Binding::primary) + "}{" + below + "}";
+}
+
+std::optional<LatexName> LatexWriter::symbol_name(const Term& term) const {
+  if (const std::string* name = name_of(term)) return latex_name(*name, names_.notation);
+  if (term.operation() == Operation::symbol)
+    return latex_name(term.symbol()->name, names_.notation);
+  if (has_plain_name(term)) return latex_name(term.name(), names_.notation);
+  return std::nullopt;
+}
+
+std::string LatexWriter::component(const Term& term) {
+  const int k = term.indices().at(0);
+  const std::string letter = k < 3 ? std::string(1, "xyz"[k]) : std::to_string(k + 1);
+  const Term& point = term.child(0);
+  if (symbol_name(point)) {
+    LatexName name = *symbol_name(point);
+    name.index += (name.index.empty() ? "" : ",") + letter;
+    return name.text();
+  }
+  return "[" + of(point) + "]_{" + letter + "}";
+}
+
+std::string LatexWriter::index(const Term& matrix, const Indices& indices) {
+  std::string text;
+  const bool single = std::all_of(indices.begin(), indices.end(), [](int i) { return i < 10; });
+  for (const int i : indices) text += (text.empty() || single ? "" : ",") + std::to_string(i);
+  if (const std::optional<LatexName> name = symbol_name(matrix)) {
+    LatexName entry = *name;
+    entry.index += (entry.index.empty() ? "" : ",") + text;
+    return entry.text();
+  }
+  return within(matrix, Binding::primary) + "_{" + text + "}";
+}
+
+std::string LatexWriter::slice(const Term& term) {
+  const Indices& i = term.indices();
+  const std::string range = std::to_string(i.at(0)) + "\\ldots " + std::to_string(i.at(1)) +
+                            ",\\," + std::to_string(i.at(2)) + "\\ldots " +
+                            std::to_string(i.at(3));
+  if (const std::optional<LatexName> name = symbol_name(term.child(0))) {
+    LatexName part = *name;
+    part.index += (part.index.empty() ? "" : ",") + range;
+    return part.text();
+  }
+  return within(term.child(0), Binding::primary) + "_{" + range + "}";
+}
+
+std::optional<std::string> LatexWriter::array_name(const Term& matrix) const {
+  std::string base;
+  const std::size_t columns = static_cast<std::size_t>(std::max(matrix.type().columns, 1));
+  for (std::size_t k = 0; k < matrix.children().size(); ++k) {
+    const Term& entry = matrix.child(k);
+    if (entry.operation() != Operation::symbol) return std::nullopt;
+    const std::string& name = entry.symbol()->name;
+    const std::size_t bracket = name.find('[');
+    if (bracket == std::string::npos || (k > 0 && name.substr(0, bracket) != base))
+      return std::nullopt;
+    base = name.substr(0, bracket);
+    const std::string expected =
+        matrix.type().list
+            ? "[" + std::to_string(k) + "]"
+            : "[" + std::to_string(k / columns) + "," + std::to_string(k % columns) + "]";
+    if (name.substr(bracket) != expected) return std::nullopt;
+  }
+  return base;
+}
+
+std::string LatexWriter::matrix(const Term& term) {
+  if (const auto name = array_name(term); name)
+    return latex_name(*name, names_.notation).text();
+  const std::size_t columns = static_cast<std::size_t>(std::max(term.type().columns, 1));
+  std::string result = "\\begin{pmatrix} ";
+  for (std::size_t k = 0; k < term.children().size(); ++k) {
+    if (k > 0) result += k % columns == 0 ? " \\\\ " : " & ";
+    result += of(term.child(k));
+  }
+  return result + " \\end{pmatrix}";
+}
+
+std::string LatexWriter::determinant(const Term& term) {
+  const Term& matrix_term = term.child(0);
+  if (matrix_term.operation() != Operation::matrix || name_of(matrix_term))
+    return "\\det" + latex_bracketed(of(matrix_term));
+  std::string text = matrix(matrix_term);
+  for (std::size_t at = text.find("pmatrix"); at != std::string::npos; at = text.find("pmatrix", at))
+    text.replace(at, 7, "vmatrix");
+  return text;
+}
+
+std::string LatexWriter::basis_function(const Term& term) {
+  const BasisFunction& basis = term.basis_function();
+  return "N_{" + std::to_string(basis.index) + "," + std::to_string(basis.degree) + "}^{[" +
+         std::to_string(basis.span) + "]}" + latex_bracketed(of(term.child(0)));
+}
+
+std::string LatexWriter::integral(const Term& term) {
+  const std::vector<std::string>& parameters = term.child(0).type().parameters;
+  std::string signs;
+  std::string differentials;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const std::string sign = "\\int_{" + of(term.child(2 * k + 1)) + "}^{" +
+                             of(term.child(2 * k + 2)) + "}";
+    signs = sign + (signs.empty() ? "" : "\\!") + signs;
+    differentials += "\\,\\mathrm{d}" + parameters[k];
+  }
+  return signs + " " + within(term.child(0), Binding::product) + differentials;
+}
+
+std::string LatexWriter::definition(const Term& term) {
+  const bool plain = has_plain_name(term);
+  const auto own = names_.notation.names.find(term.name());
+  std::string name;
+  // H03 is a letter with an index; words are operators.
+  const std::size_t letters =
+      static_cast<std::size_t>(std::find_if(term.name().begin(), term.name().end(),
+                                            [](char c) { return !std::isalpha(static_cast<unsigned char>(c)); }) -
+                               term.name().begin());
+  if (plain || own != names_.notation.names.end() || letters == 1)
+    name = latex_name(term.name(), names_.notation).text();
+  else
+    name = "\\operatorname{" + words(term.name()) + "}";
+  return plain ? name : name + latex_bracketed(list(term.children(), 1));
+}
+
+std::string LatexWriter::words(const std::string& name) {
+  std::string result;
+  for (const char c : name) result += c == '_' ? std::string{"\\_"} : std::string(1, c);
+  return result;
+}
+
+}  // namespace patchproof
