@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -115,6 +116,8 @@ struct Declaration {
 struct Case {
   std::string name;
   std::string title;
+  /// Language -> the title in it.
+  std::map<std::string, std::string> translated_titles;
   std::vector<Source> sources;
   std::string quote;
   std::vector<std::string> tags;

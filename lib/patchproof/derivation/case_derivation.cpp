@@ -15,8 +15,7 @@ LatexNames names_of(const Case& given) {
   for (const Declaration& declaration : given.declarations) {
     const Operation operation = declaration.term.operation();
     const bool is_own_name = operation == Operation::symbol || operation == Operation::number;
-    const bool array = declaration.given && operation == Operation::matrix;
-    if (!is_own_name && !array) names.add(declaration.term, declaration.name);
+    if (!is_own_name) names.add(declaration.term, declaration.name);
   }
   return names;
 }

@@ -14,8 +14,16 @@ namespace {
 // Thrown where a derivative has no rule.
 struct NoRule {};
 
+// Arrays of symbols have names too, but stand for nothing else.
+bool is_array(const Term& term) {
+  return term.operation() == Operation::matrix &&
+         std::all_of(term.children().begin(), term.children().end(), [](const Term& entry) {
+           return entry.operation() == Operation::symbol;
+         });
+}
+
 bool is_named(const Term& term, const LatexNames& names) {
-  return names.name_of(term) != nullptr;
+  return names.name_of(term) != nullptr && !is_array(term);
 }
 
 // Whether the body is only another function at the same parameters.

@@ -53,6 +53,16 @@ void set_limit(const WrittenStatement& statement, Limits& limits, std::vector<Di
   }
 }
 
+void set_title(const WrittenStatement& statement, Case& result,
+               std::vector<Diagnostic>& diagnostics) {
+  if (!statement.language) {
+    result.title = statement.text;
+  } else if (!result.translated_titles.emplace(statement.language->text, statement.text).second) {
+    diagnostics.push_back({statement.span, "a second title in the language '" +
+                                               statement.language->text + "'", ""});
+  }
+}
+
 void set_notation(const WrittenStatement& statement, Notation& notation,
                   std::vector<Diagnostic>& diagnostics) {
   if (statement.derivative_style)
@@ -88,7 +98,7 @@ void check_notated_names(const syntax::Case& written, const Scope& scope, const 
 
 void set_meta(const WrittenStatement& statement, Case& result, std::vector<Diagnostic>& diagnostics) {
   switch (statement.kind) {
-    case WrittenStatement::Kind::title: result.title = statement.text; break;
+    case WrittenStatement::Kind::title: set_title(statement, result, diagnostics); break;
     case WrittenStatement::Kind::quote: result.quote = statement.text; break;
     case WrittenStatement::Kind::source:
       result.sources.push_back({statement.text,

@@ -1,6 +1,6 @@
 // One statement of a case: what is said about the case here, declarations and claims elsewhere.
 //
-//   title STRING | quote STRING | tags NAME {, NAME} | show ( expression | joint )
+//   title STRING [ lang NAME ] | quote STRING | tags NAME {, NAME} | show ( expression | joint )
 //   source STRING { lang NAME | section STRING | page ( NUMBER | STRING ) }
 //   notation ( NAME = STRING {, NAME = STRING} | derivatives ( subscript | superscript | fraction ) )
 //   limit ( time | memory | terms | steps ) NUMBER [ s | ms | MB | GB ]
@@ -109,6 +109,9 @@ void limit(TokenStream& stream, Statement& statement) {
 void contents(TokenStream& stream, Statement& statement) {
   switch (statement.kind) {
     case Kind::title:
+      statement.text = stream.quoted_text();
+      if (stream.accept("lang")) statement.language = stream.any_word("a language");
+      return;
     case Kind::quote:
       statement.text = stream.quoted_text();
       return;

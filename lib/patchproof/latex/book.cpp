@@ -2,6 +2,7 @@
 #include <map>
 
 #include <patchproof/latex/claim_text.hpp>
+#include <patchproof/latex/given_text.hpp>
 #include <patchproof/latex/document.hpp>
 #include <patchproof/latex/freshness.hpp>
 #include <patchproof/latex/prose.hpp>
@@ -38,7 +39,7 @@ std::string erratum_text(const Page& page, const ClaimDerivation& item, bool goe
   std::string text;
   const bool printed = claim.verb == "printed";
   if (!goes_on)
-    text += "\\ppclaim{" + prose(given.title.empty() ? given.name : given.title) + ", " +
+    text += "\\ppclaim{" + title_text(given, wording.language) + ", " +
             wording(Word::page) + "~\\pageref{case:" + given.name + "}}{" +
             latex_escaped(common_label(claim)) + "}\n";
   text += "\\pptext{" + wording(printed ? Word::printed : Word::corrected) + ":}\n";

@@ -106,18 +106,29 @@ std::string statement_text(const Claim& claim, const Wording& wording) {
   return text + paragraph("(" + wording(Word::using_results) + " " + labels + ")");
 }
 
-std::string passages_text(const CheckedDerivation& derivation, const Wording& wording,
-                          bool with_words) {
+std::string definitions_text(const CheckedDerivation& derivation, const Wording& wording) {
+  std::string text;
+  for (const CheckedPassage& passage : derivation.passages())
+    for (const CheckedChain& chain : passage.chains) text += chain_text(chain, wording);
+  return text;
+}
+
+std::string passages_text(const CheckedDerivation& derivation, const Wording& wording) {
   std::string text;
   std::optional<Passage::Kind> before;
   for (const CheckedPassage& passage : derivation.passages()) {
     const bool witness = passage.kind == Passage::Kind::witness;
     // Paragraphs of one sort are one after the other, and are introduced once.
+    std::string opening;
     if (witness)
-      text += paragraph("\\textbf{" + wording(Word::counterexample) + ":} " +
-                        values_text(passage.values, wording));
-    else if (with_words && before != passage.kind)
-      text += paragraph(wording(opening_of(passage.kind)));
+      opening = "\\textbf{" + wording(Word::counterexample) + ":} " +
+                values_text(passage.values, wording);
+    else if (before != passage.kind)
+      opening = wording(opening_of(passage.kind));
+    if (!before)
+      text += "\\ppderivation{" + wording(Word::derivation) + "}{" + opening + "}\n";
+    else if (!opening.empty())
+      text += paragraph(opening);
     before = passage.kind;
     std::string chains;
     for (const CheckedChain& chain : passage.chains) chains += chain_text(chain, wording);
@@ -139,8 +150,7 @@ std::string claim_text(const ClaimResult& result, const ClaimDerivation& derivat
   const std::string statement = statement_text(claim, wording);
   text += printed ? "\\begin{ppstruck}\n" + statement + "\\end{ppstruck}\n" : statement;
   if (!derivation.derivation.passages().empty())
-    text += "\\ppderivation{" + wording(Word::derivation) + "}\n" +
-            passages_text(derivation.derivation, wording);
+    text += passages_text(derivation.derivation, wording);
   if (!has_passage(derivation.derivation, Passage::Kind::result))
     text += solution_text(result.decision, wording);
   if (result.decision.verdict == Verdict::refuted)

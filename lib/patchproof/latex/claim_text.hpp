@@ -11,9 +11,11 @@ namespace patchproof {
 /// stated solution of a derivation; candidate and competitors of a minimum.
 std::string statement_text(const Claim& claim, const Wording& wording);
 
-/// The passages of a derivation, each with the words it begins with, if those are wanted.
-std::string passages_text(const CheckedDerivation& derivation, const Wording& wording,
-                          bool with_words = true);
+/// What the names of a case stand for, without further words.
+std::string definitions_text(const CheckedDerivation& derivation, const Wording& wording);
+
+/// The passages of a derivation, each with the words it begins with.
+std::string passages_text(const CheckedDerivation& derivation, const Wording& wording);
 
 /// A claim with heading, statement, derivation and verdict. A claim that corrects the erratum right
 /// before it has no heading of its own.

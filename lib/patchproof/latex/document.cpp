@@ -35,12 +35,12 @@ std::string place_comment(const Claim& claim) {
 std::string body(const Page& page, const DocumentOptions& options) {
   const Case& given = page.result.verified;
   const Wording wording{page.derivation.names, options.language};
-  std::string text = "\\ppcase{" + prose(given.title.empty() ? given.name : given.title) + "}{" +
+  std::string text = "\\ppcase{" + title_text(given, options.language) + "}{" +
                      latex_escaped(given.name) + "}{" + sources_text(given, wording) + "}\n" +
                      "\\label{case:" + given.name + "}\n";
   if (!given.quote.empty()) text += "\\ppquote{" + prose(given.quote) + "}\n";
   text += given_text(given, wording);
-  const std::string definitions = passages_text(page.derivation.definitions, wording, false);
+  const std::string definitions = definitions_text(page.derivation.definitions, wording);
   if (!definitions.empty())
     text += "\\ppheading{" + wording(Word::definitions) + "}\n" + definitions;
   text += assumptions_text(given, wording);

@@ -155,4 +155,10 @@ std::string assumptions_text(const Case& given, const Wording& wording) {
   return "\\ppheading{" + wording(Word::assumptions) + "}\n" + text;
 }
 
+std::string title_text(const Case& given, Language language) {
+  const auto own = given.translated_titles.find(code_of(language));
+  if (own != given.translated_titles.end()) return prose(own->second);
+  return prose(given.title.empty() ? given.name : given.title);
+}
+
 }  // namespace patchproof

@@ -7,6 +7,10 @@
 
 namespace patchproof {
 
+/// The title in the language, where the case has one, else its own title, else its name; in running
+/// text.
+std::string title_text(const Case& given, Language language);
+
 /// What a case takes as given: points, numbers, curves of some smoothness, parameters with their
 /// ranges; of a family of cases what its first instance has. "" where nothing is given.
 std::string given_text(const Case& given, const Wording& wording);

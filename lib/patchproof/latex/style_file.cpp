@@ -55,7 +55,7 @@ std::string_view style_file() {
 \newcommand\ppclaim[2]{\par\addpenalty{-200}\bigskip
   {\noindent\textbf{#1} {\hyphenchar\font=-1 \ppname{#2}}\par}\nobreak\smallskip}
 \newcommand\pptext[1]{\par\addvspace{2pt plus 1pt}{\noindent\raggedright #1\par}\nobreak}
-\newcommand\ppderivation[1]{\par\addvspace{4pt}{\noindent\textit{#1.}\par}\nobreak}
+\newcommand\ppderivation[2]{\par\addvspace{4pt}{\noindent\raggedright\textit{#1.} #2\par}\nobreak}
 \newcommand\ppitem[1]{\par{\raggedright\noindent\hangindent1.5em\hskip1.5em\llap{\textbullet\ }#1\par}}
 \newcommand\ppname[1]{{\small\texttt{#1}}}
 \newcommand\pplabel[1]{{\footnotesize\texttt{#1}}}

@@ -45,8 +45,6 @@ class LatexWriter {
   std::string component(const Term& term);
   std::string index(const Term& matrix, const Indices& indices);
   std::string slice(const Term& term);
-  // The array V[0..3, 0..3] as a whole is V.
-  std::optional<std::string> array_name(const Term& matrix) const;
   std::string matrix(const Term& term);
   std::string determinant(const Term& term);
   std::string basis_function(const Term& term);

@@ -106,29 +106,8 @@ std::string LatexWriter::slice(const Term& term) {
   return within(term.child(0), Binding::primary) + "_{" + range + "}";
 }
 
-std::optional<std::string> LatexWriter::array_name(const Term& matrix) const {
-  std::string base;
-  const std::size_t columns = static_cast<std::size_t>(std::max(matrix.type().columns, 1));
-  for (std::size_t k = 0; k < matrix.children().size(); ++k) {
-    const Term& entry = matrix.child(k);
-    if (entry.operation() != Operation::symbol) return std::nullopt;
-    const std::string& name = entry.symbol()->name;
-    const std::size_t bracket = name.find('[');
-    if (bracket == std::string::npos || (k > 0 && name.substr(0, bracket) != base))
-      return std::nullopt;
-    base = name.substr(0, bracket);
-    const std::string expected =
-        matrix.type().list
-            ? "[" + std::to_string(k) + "]"
-            : "[" + std::to_string(k / columns) + "," + std::to_string(k % columns) + "]";
-    if (name.substr(bracket) != expected) return std::nullopt;
-  }
-  return base;
-}
-
 std::string LatexWriter::matrix(const Term& term) {
-  if (const auto name = array_name(term); name)
-    return latex_name(*name, names_.notation).text();
+  if (term.type().list) return latex_bracketed(list(term.children()));
   const std::size_t columns = static_cast<std::size_t>(std::max(term.type().columns, 1));
   std::string result = "\\begin{pmatrix} ";
   for (std::size_t k = 0; k < term.children().size(); ++k) {
@@ -180,7 +159,12 @@ std::string LatexWriter::definition(const Term& term) {
     name = latex_name(term.name(), names_.notation).text();
   else
     name = "\\operatorname{" + words(term.name()) + "}";
-  return plain ? name : name + latex_bracketed(list(term.children(), 1));
+  if (plain) return name;
+  // The points of a single list are the arguments: bezier_curve(p_0, p_1, p_2).
+  const Term& only = term.child(1);
+  const bool is_list = term.children().size() == 2 && only.type().is_matrix() && only.type().list &&
+                       only.operation() == Operation::matrix && !name_of(only);
+  return name + (is_list ? of(only) : latex_bracketed(list(term.children(), 1)));
 }
 
 std::string LatexWriter::words(const std::string& name) {
