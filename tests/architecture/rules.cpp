@@ -15,7 +15,7 @@ constexpr std::string_view library = "lib/patchproof/";
 const std::map<std::string, int, std::less<>>& layers() {
   static const std::map<std::string, int, std::less<>> heights{
       {"version.hpp", 0}, {"algebra", 1}, {"term", 2},     {"kernel", 3}, {"symbolic", 3},
-      {"decide", 4},      {"claims", 5},  {"language", 6}, {"repair", 7}, {"report", 8}, {"patchproof.hpp", 9}};
+      {"decide", 4},      {"claims", 5},  {"language", 6}, {"repair", 7}, {"figure", 7}, {"report", 8}, {"patchproof.hpp", 9}};
   return heights;
 }
 
