@@ -44,7 +44,7 @@ View view_of(const std::string& text) {
     const bool whole = !part.empty() && part.size() <= 3 &&
                        part.find_first_not_of("0123456789") == std::string::npos;
     if (!whole || std::stoi(part) > most)
-      throw UsageError{"--view: '" + text + "' is not two angles in whole degrees, like 32,26"};
+      throw UsageError{"--view: '" + text + "' is not two angles in whole degrees, like 32,30"};
     return negative ? -std::stoi(part) : std::stoi(part);
   };
   const std::size_t comma = text.find(',');
@@ -161,7 +161,7 @@ void add_draw(CLI::App& program, ExitCode& result) {
   option("--case", arguments->case_name, "Which case of the file", "NAME");
   option("--size", arguments->size, "Greatest width and height in millimetres; usual are 90", "MM")
       ->check(whole_number());
-  option("--view", arguments->view, "Azimuth and elevation in degrees; usual are 32,26", "A,E");
+  option("--view", arguments->view, "Azimuth and elevation in degrees; usual are 32,30", "A,E");
   command->add_flag("--net", arguments->net,
                     "The Bézier net also of patches that are not written as Bézier patches");
   command->add_flag("--twists", arguments->twists, "Twist vectors at the corners");

@@ -22,13 +22,22 @@ Figure deviation_figure(Studio& studio, const FigureOptions& options) {
   if (left.is_surface()) {
     const Grid first = grid_of(left, options.cells);
     const Grid second = grid_of(right, options.cells);
-    const bool flat = left.is_plane;
-    add_facets(first, Ink::surface, flat ? Ink::surface : Ink::back, scene);
     add_facets(second, Ink::other, Ink::other, scene);
-    add_isolines(first, 2 * options.cells_between_lines, scene);
     add_isolines(second, 2 * options.cells_between_lines, scene);
-    add_boundary(first, Ink::boundary, scene);
     add_boundary(second, Ink::other_curve, scene);
+    // The left one as wires, so that what lies under it can be seen.
+    const std::size_t n = options.cells;
+    for (std::size_t k = 0; k <= n; k += 2 * options.cells_between_lines) {
+      const Ink ink = k == 0 || k == n ? Ink::boundary : Ink::wire;
+      std::vector<Point> one_way;
+      std::vector<Point> other_way;
+      for (std::size_t j = 0; j <= n; ++j) {
+        one_way.push_back(first.at(k, j));
+        other_way.push_back(first.at(j, k));
+      }
+      scene.add_line(one_way, ink);
+      scene.add_line(other_way, ink);
+    }
     for (long i = 0; i <= arrows; ++i)
       for (long j = 0; j <= arrows; ++j) add_arrow({Rational{i, arrows}, Rational{j, arrows}});
   } else {

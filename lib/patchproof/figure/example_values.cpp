@@ -12,8 +12,8 @@ namespace {
 Rational height(const Rational& s, const Rational& t, int number) {
   const Rational dome = s * (1 - s) + t * (1 - t);
   const Rational slope = s * t / 2 - s / 4 + t * (1 - s) / 6;
-  return number % 2 == 0 ? Rational{dome * Rational{6, 5} + slope}
-                         : Rational{dome * Rational{4, 5} - slope + s * s * t / 2};
+  return number % 2 == 0 ? Rational{dome * Rational{9, 10} + slope}
+                         : Rational{dome * Rational{1, 2} - slope + s * s * t / 2};
 }
 
 Rational part_of(int index, int count) { return count < 2 ? Rational{0} : Rational{index, count - 1}; }
@@ -33,14 +33,14 @@ Point polygon_point(int i, int count, int number) {
 }
 
 // Corner, tangent or twist of a Hermite matrix in the order value 0, value 1, slope 0, slope 1.
-Point hermite_vector(int i, int j) {
+Point hermite_vector(int i, int j, int number) {
   const int s = i % 2;
   const int t = j % 2;
   const Rational sign_s{1 - 2 * s};
   const Rational sign_t{1 - 2 * t};
-  if (i < 2 && j < 2) return {s, t, Rational{s + 2 * t, 8} - Rational{s * t, 4}};
+  if (i < 2 && j < 2) return {s, t + number, Rational{s + 2 * t, 8} - Rational{s * t, 4}};
   if (j < 2) return {1, 0, sign_s * Rational{3 + t, 5}};
-  if (i < 2) return {0, 1, sign_t * Rational{2 + s, 4}};
+  if (i < 2) return {0, 1, sign_t * Rational{2 + s, 5}};
   return {0, 0, Rational{1 + s - 2 * t, 2}};
 }
 
@@ -145,9 +145,9 @@ Point ExampleValues::constant(const SymbolPointer& symbol) const {
       pattern += (static_cast<int>(k) + 1) * part.indices[k];
     return {Rational{2 + pattern % 3, 2}, 0, 0};
   }
-  if (part.use == "hermite") return hermite_vector(part.indices[0], part.indices[1]);
-  if (part.use == "ferguson_u") return hermite_vector(part.indices[0] + 2, part.indices[1]);
-  if (part.use == "ferguson_v") return hermite_vector(part.indices[0], part.indices[1] + 2);
+  if (part.use == "hermite") return hermite_vector(part.indices[0], part.indices[1], part.number);
+  if (part.use == "ferguson_u") return hermite_vector(part.indices[0] + 2, part.indices[1], 0);
+  if (part.use == "ferguson_v") return hermite_vector(part.indices[0], part.indices[1] + 2, 0);
   if (part.indices.size() >= 2)
     return net_point(part.indices[0], part.indices[1], part.extents[0], part.extents[1],
                      part.number);
@@ -192,8 +192,8 @@ std::array<Polynomial, 3> ExampleValues::function(const SymbolPointer& symbol,
     const Rational last = number == 1 ? Rational{1, 10} : across ? Rational{1, 3} : Rational{1, 5};
     const Rational swing = across ? Rational{number == 0 ? 4 : 5, 5} : Rational{number == 0 ? 6 : 3, 5};
     const Polynomial tilted =
-        times(bump, plus(of(number == 0 ? Rational{4, 3} : Rational{2, 3}),
-                         scaled(s, number == 0 ? Rational{-2, 3} : Rational{2, 3})));
+        times(bump, plus(of(number == 0 ? Rational{1} : Rational{1, 2}),
+                         scaled(s, number == 0 ? Rational{-1, 2} : Rational{1, 2})));
     const Polynomial z = plus(plus(of(first), scaled(s, last - first)), scaled(tilted, swing));
     const Polynomial bulge = plus(of(number), scaled(bump, Rational{2 * number - 1, 4}));
     if (across) return {bulge, s, z};

@@ -25,6 +25,7 @@ enum class Ink {
   isoline,      ///< a line of constant u or v
   boundary,     ///< an edge of a patch; a curve
   common,       ///< the edge two patches have in common
+  wire,         ///< a line of constant u or v of a patch without facets
   net,          ///< a leg of a control net
   net_point,    ///< a control point
   twist,        ///< a twist vector

@@ -10,6 +10,7 @@ const std::vector<InkStyle>& inks() {
       {Ink::isoline, "isoline", {108, 118, 130}, 10},
       {Ink::boundary, "boundary", {24, 42, 66}, 40},
       {Ink::common, "common", {190, 40, 40}, 70},
+      {Ink::wire, "wire", {60, 92, 132}, 18},
       {Ink::net, "net", {96, 96, 96}, 20},
       {Ink::net_point, "netpoint", {40, 40, 40}, 55},
       {Ink::twist, "twist", {176, 40, 70}, 40},

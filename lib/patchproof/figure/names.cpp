@@ -40,7 +40,12 @@ bool runs_along(const Subject& curve, const Subject& patch, const Edge& edge) {
 }  // namespace
 
 void add_names(const Subject& patch, const Grid& grid, Studio& studio, Scene& scene) {
-  const Point centre = centre_of(grid);
+  // A label stands off to where its corner or edge is seen from a place a little inside.
+  const auto inside = [&](const std::vector<Rational>& place) {
+    std::vector<Rational> nearer;
+    for (const Rational& p : place) nearer.push_back(p + Rational{1, 8} * (Rational{1, 2} - p));
+    return patch.at(nearer);
+  };
   bool any = false;
   const std::vector<NamedPoint> points = studio.named_points();
   for (const int i : {0, 1})
@@ -50,7 +55,7 @@ void add_names(const Subject& patch, const Grid& grid, Studio& studio, Scene& sc
         return p.point == corner;
       });
       if (named == points.end()) continue;
-      scene.add_label(corner, centre, named->name);
+      scene.add_label(corner, inside({Rational{i}, Rational{j}}), named->name);
       any = true;
     }
   const std::vector<Subject> curves = studio.named_curves();
@@ -59,13 +64,15 @@ void add_names(const Subject& patch, const Grid& grid, Studio& studio, Scene& sc
       return runs_along(curve, patch, edge);
     });
     if (named == curves.end()) continue;
-    scene.add_label(patch.at(place_on(edge, {1, 2})), centre, named->name);
+    const std::vector<Rational> middle = place_on(edge, {1, 2});
+    scene.add_label(patch.at(middle), inside(middle), named->name);
     any = true;
   }
   if (any) return;
   for (const int i : {0, 1})
     for (const int j : {0, 1})
-      scene.add_label(grid.at(i == 0 ? 0 : grid.cells, j == 0 ? 0 : grid.cells), centre,
+      scene.add_label(grid.at(i == 0 ? 0 : grid.cells, j == 0 ? 0 : grid.cells),
+                      inside({Rational{i}, Rational{j}}),
                       patch.name + "(" + std::to_string(i) + "," + std::to_string(j) + ")");
 }
 

@@ -8,7 +8,7 @@ namespace patchproof {
 /// right, towards the viewer; the elevation is the height of the eye.
 struct View {
   int azimuth = 32;
-  int elevation = 26;
+  int elevation = 30;
   friend bool operator==(const View&, const View&) = default;
 };
 

@@ -216,9 +216,7 @@ std::optional<ControlNet> Studio::net_of(const Term& term) {
     case Operation::apply: {
       // Only where the arguments are the bare parameters.
       for (std::size_t k = 1; k < term.children().size(); ++k)
-        if (term.child(k).operation() != Operation::symbol ||
-            term.child(k).symbol()->role != Symbol::Role::bound)
-          return std::nullopt;
+        if (term.child(k).operation() != Operation::symbol) return std::nullopt;
       return net_of(term.child(0));
     }
     case Operation::definition: break;

@@ -92,15 +92,21 @@ Figure surface_figure(Studio& studio, const FigureOptions& options) {
   if (grids.size() > 1) {
     const Point middle = mean(centres);
     next = 0;
+    std::vector<Point> taken;
     for (const Subject& subject : subjects) {
       if (!subject.is_surface()) continue;
       // On the edge that is farthest from the others.
       const std::vector<Line> edges = edges_of(grids[next++]);
-      Point best = edges.front()[options.cells / 2];
+      std::optional<Point> best;
       const auto apart = [&](const Point& p) { return Rational{dot(p - middle, p - middle)}; };
-      for (const Line& edge : edges)
-        if (apart(edge[options.cells / 2]) > apart(best)) best = edge[options.cells / 2];
-      scene.add_label(best, middle, subject.name);
+      for (const Line& edge : edges) {
+        const Point& place = edge[options.cells / 2];
+        if (std::find(taken.begin(), taken.end(), place) != taken.end()) continue;
+        if (!best || apart(place) > apart(*best)) best = place;
+      }
+      if (!best) continue;
+      taken.push_back(*best);
+      scene.add_label(*best, middle, subject.name);
     }
   }
   return scene.figure(options.width, options.greatest_height);
