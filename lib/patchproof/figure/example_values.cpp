@@ -11,7 +11,7 @@ namespace {
 // different, so that twists and orientation can be seen.
 Rational height(const Rational& s, const Rational& t, int number) {
   const Rational dome = s * (1 - s) + t * (1 - t);
-  const Rational slope = s * t / 2 - s / 4 + t * (1 - s) / 6;
+  const Rational slope = s * t / 3 - s / 4 + t * (1 - s) * Rational{2, 5};
   return number % 2 == 0 ? Rational{dome * Rational{9, 10} + slope}
                          : Rational{dome * Rational{1, 2} - slope + s * s * t / 2};
 }
@@ -46,7 +46,7 @@ Point hermite_vector(int i, int j, int number) {
 
 Point single_point(int number) {
   static const std::vector<Point> points{
-      Point{0, 0, 0},      Point{1, 0, {3, 5}}, Point{0, 1, {1, 2}}, Point{1, 1, 0},
+      Point{0, 0, 0},      Point{1, 0, {1, 2}}, Point{0, 1, {1, 2}}, Point{1, 1, 0},
       Point{2, 0, {1, 3}}, Point{2, 1, {2, 3}}, Point{0, 2, {1, 4}}, Point{1, 2, {3, 4}}};
   return points[static_cast<std::size_t>(number) % points.size()];
 }

@@ -7,7 +7,7 @@ const std::vector<InkStyle>& inks() {
       {Ink::surface, "surface", {126, 166, 204}, 6},
       {Ink::back, "back", {222, 190, 138}, 6},
       {Ink::stripe, "stripe", {52, 66, 84}, 6},
-      {Ink::isoline, "isoline", {108, 118, 130}, 10},
+      {Ink::isoline, "isoline", {96, 108, 122}, 13},
       {Ink::boundary, "boundary", {24, 42, 66}, 40},
       {Ink::common, "common", {190, 40, 40}, 70},
       {Ink::wire, "wire", {60, 92, 132}, 18},

@@ -35,6 +35,14 @@ const Statement* compared(const Claim& claim, std::size_t statement) {
   return found.relation == Relation::equal ? &found : nullptr;
 }
 
+// Patches over the triangle u, v >= 0, u + v <= 1.
+bool is_triangular(const Term& term) {
+  if (term.operation() == Operation::lambda || term.operation() == Operation::apply)
+    return is_triangular(term.child(0));
+  return term.operation() == Operation::definition &&
+         (term.name() == "bezier_triangle" || term.name() == "triangular_coons");
+}
+
 void require_dimension(const std::string& name, const Type& value) {
   if (value.is_scalar() || value.dimension <= 3) return;
   throw CannotDraw{"'" + name + "' lies in R^" + std::to_string(value.dimension) +
@@ -173,6 +181,8 @@ Subject Studio::subject(const std::string& name, const Term& term) {
   for (std::size_t k = 0; k < variables.size(); ++k)
     ranges.push_back(interval(term.type().parameters[k], variables[k], variables,
                               term.type().parameters));
+  if (variables.size() == 2 && is_triangular(term))
+    ranges[1].high = difference(Rational{1}, Polynomial::variable(variables[0]), workspace_.budget);
   Subject result{name,
                  SampledFunction{coordinates(term), variables, std::move(ranges), workspace_},
                  value.is_scalar() || value.dimension == 1, false, net_of(term)};

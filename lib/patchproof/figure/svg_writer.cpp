@@ -111,7 +111,7 @@ std::string styles(const Figure& figure) {
   }
   std::string text =
       "<defs><style>\n"
-      "polygon { stroke-width: 0.06 }\n"
+      "polygon { stroke-width: 0.12 }\n"
       "polyline, line { fill: none; stroke-linecap: round; stroke-linejoin: round }\n"
       "text { font: italic 3.6px 'Latin Modern Math', 'STIX Two Text', 'Times New Roman', serif }\n";
   for (const Ink ink : of_lines)

@@ -83,7 +83,7 @@ std::string tikz(const Figure& figure, const LabelText& label_text) {
   for (const Shape& shape : figure.shapes)
     if (!std::holds_alternative<Label>(shape)) used.insert(ink_of(shape));
   std::string text =
-      "\\begin{tikzpicture}[x=1mm,y=1mm,line width=0.06mm,line cap=round,line join=round,\n"
+      "\\begin{tikzpicture}[x=1mm,y=1mm,line width=0.12mm,line cap=round,line join=round,\n"
       "  inner sep=0.8mm,>=stealth]\n";
   for (const Ink ink : used) {
     const std::array<int, 3>& c = style_of(ink).colour;
