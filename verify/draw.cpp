@@ -87,8 +87,7 @@ std::string names_of(const std::vector<Case>& cases) {
 }
 
 ExitCode draw(const Case& given, const DrawArguments& arguments, const FigureOptions& options) {
-  const Drawing drawing =
-      drawing_of(result_for(given, arguments.names), arguments.names, options);
+  const Drawing drawing = drawing_of(result_for(given, arguments.names), arguments.names, options);
   if (!drawing.figure) return complain(drawing.problem, drawing.help);
   const std::string text = arguments.output.ends_with(".svg") || arguments.output.ends_with(".png")
                                ? svg(*drawing.figure)

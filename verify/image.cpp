@@ -46,8 +46,8 @@ std::string write_png(const std::string& svg, const std::string& path,
     return "no temporary file";
   }
   std::string program = "rsvg-convert";
-  std::array<std::string, 5> words{program, "--dpi-x=300", "--dpi-y=300", "--background-color=white",
-                                   "--format=png"};
+  std::array<std::string, 5> words{program, "--dpi-x=300", "--dpi-y=300",
+                                   "--background-color=white", "--format=png"};
   std::array<char*, 6> arguments{};
   for (std::size_t k = 0; k < words.size(); ++k) arguments[k] = words[k].data();
   // What is in the file is replaced only now: until here nothing was known to work.
@@ -57,9 +57,9 @@ std::string write_png(const std::string& svg, const std::string& path,
   posix_spawn_file_actions_adddup2(&actions, source, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, target, STDOUT_FILENO);
   pid_t child = 0;
-  const int problem =
-      emptied ? ::posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ)
-              : errno;
+  const int problem = emptied ? ::posix_spawnp(&child, program.c_str(), &actions, nullptr,
+                                               arguments.data(), environ)
+                              : errno;
   posix_spawn_file_actions_destroy(&actions);
   ::close(source);
   ::close(target);

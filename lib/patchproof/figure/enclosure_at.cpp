@@ -40,12 +40,18 @@ class Encloser {
     budget_.spend(std::uint64_t{bits_} * bits_ / 4);
     const Atom& atom = atoms_[variable];
     switch (atom.kind) {
-      case Atom::Kind::pi: return pi_enclosure(bits_);
-      case Atom::Kind::sine: return sine(of(atom.arguments.front()), bits_);
-      case Atom::Kind::cosine: return cosine(of(atom.arguments.front()), bits_);
-      case Atom::Kind::exponential: return exponential(of(atom.arguments.front()), bits_);
-      case Atom::Kind::root: return square_root(of(atom.arguments.front()), bits_);
-      default: throw OutsideTheory{"nothing is known of " + to_text(variable, atoms_)};
+      case Atom::Kind::pi:
+        return pi_enclosure(bits_);
+      case Atom::Kind::sine:
+        return sine(of(atom.arguments.front()), bits_);
+      case Atom::Kind::cosine:
+        return cosine(of(atom.arguments.front()), bits_);
+      case Atom::Kind::exponential:
+        return exponential(of(atom.arguments.front()), bits_);
+      case Atom::Kind::root:
+        return square_root(of(atom.arguments.front()), bits_);
+      default:
+        throw OutsideTheory{"nothing is known of " + to_text(variable, atoms_)};
     }
   }
 

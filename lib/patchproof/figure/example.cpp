@@ -8,6 +8,7 @@
 #include <patchproof/figure/example_values.hpp>
 #include <patchproof/kernel/polynomial_term.hpp>
 #include <patchproof/kernel/witness_values.hpp>
+#include <patchproof/term/plain_text.hpp>
 #include <patchproof/term/replacement.hpp>
 
 namespace patchproof {
@@ -20,6 +21,18 @@ bool is_written(const Assumption& assumption, const Case& given) {
                        const Span& span = assumption.statement.span;
                        return span.begin >= written.span.begin && span.end <= written.span.end;
                      });
+}
+
+// An inequality for parameters, u > 0, says where a claim holds and nothing of what is drawn.
+bool restricts_parameters(const Statement& statement) {
+  if (statement.relation == Relation::equal) return false;
+  std::map<unsigned, SymbolPointer> symbols = free_symbols(statement.left);
+  symbols.merge(free_symbols(statement.right));
+  const auto is = [](Symbol::Role role) {
+    return [role](const auto& symbol) { return symbol.second->role == role; };
+  };
+  return std::any_of(symbols.begin(), symbols.end(), is(Symbol::Role::parameter)) &&
+         std::none_of(symbols.begin(), symbols.end(), is(Symbol::Role::function));
 }
 
 const Goal& goal_of(const Claim& claim) {
@@ -49,12 +62,13 @@ void take_over(const std::vector<KnownValue>& solution, std::vector<KnownValue>&
 /// One of the three copies of an example.
 class Copy {
  public:
-  Copy(const std::vector<SymbolPointer>& symbols, const ExampleValues& wanted, int coordinate,
-       const CaseFacts& facts, Workspace& workspace)
+  /// `sign` is that of the scalars.
+  Copy(const std::vector<SymbolPointer>& symbols, const ExampleValues& wanted, int sign,
+       std::size_t coordinate, const CaseFacts& facts, Workspace& workspace)
       : symbols_{symbols},
         wanted_{wanted},
-        coordinate_{static_cast<std::size_t>(coordinate)},
-        facts_{facts},
+        sign_{sign},
+        coordinate_{coordinate},
         workspace_{workspace} {
     goal_.assumptions = facts.assumptions;
     goal_.ranges = facts.ranges;
@@ -81,11 +95,9 @@ class Copy {
   std::vector<std::size_t> coordinates(const Type& type) const {
     if (type.is_scalar()) return {0};
     if (type.dimension == Type::any_dimension) return {coordinate_};
+    // There are three coordinates; what has more is not drawn, but may have to have values.
     std::vector<std::size_t> result;
-    for (int k = 0; k < type.dimension; ++k)
-      result.push_back(std::min<std::size_t>(static_cast<std::size_t>(k), 2));
-    // A plane figure shows where things are high.
-    if (type.dimension == 2) result = {0, 1};
+    for (int k = 0; k < type.dimension; ++k) result.push_back(static_cast<std::size_t>(k % 3));
     return result;
   }
 
@@ -104,15 +116,18 @@ class Copy {
     return result;
   }
 
+  Point constant(const SymbolPointer& symbol) const {
+    return Rational{symbol->type.is_scalar() ? sign_ : 1} * wanted_.constant(symbol);
+  }
+
   Term pleasant(const SymbolPointer& symbol) {
     if (symbol->role == Symbol::Role::function)
       return polynomial_function(components(symbol), symbol->type, slots(symbol));
-    const Point all = wanted_.constant(symbol);
+    const Point all = constant(symbol);
     std::vector<Term> parts;
     for (const std::size_t k : coordinates(symbol->type)) parts.push_back(number_term(all[k]));
-    return symbol->type.is_scalar()
-               ? parts.front()
-               : make_term(Operation::tuple, symbol->type, std::move(parts));
+    return symbol->type.is_scalar() ? parts.front()
+                                    : make_term(Operation::tuple, symbol->type, std::move(parts));
   }
 
   std::optional<Witness> fitted_values() {
@@ -129,7 +144,7 @@ class Copy {
     };
     for (const SymbolPointer& symbol : symbols_) {
       if (symbol->role == Symbol::Role::function) continue;
-      const Point value = wanted_.constant(symbol);
+      const Point value = constant(symbol);
       const std::vector<std::size_t> its = coordinates(symbol->type);
       for (std::size_t k = 0; k < its.size(); ++k)
         assign(workspace_.atoms.symbol(symbol, static_cast<int>(k)), value[its[k]]);
@@ -166,11 +181,26 @@ class Copy {
 
   const std::vector<SymbolPointer>& symbols_;
   const ExampleValues& wanted_;
+  int sign_;
   std::size_t coordinate_;
-  const CaseFacts& facts_;
   Workspace& workspace_;
   Goal goal_;
 };
+
+// All but points of any dimension have to have one value.
+bool are_copies(const Example& example) {
+  const auto has_dimension = [](const Type& type) {
+    const Type& value = type.is_function() ? *type.inner : type;
+    return !value.is_point() || value.dimension != Type::any_dimension;
+  };
+  for (std::size_t k = 0; k < example.values[0].size(); ++k) {
+    const KnownValue& first = example.values[0][k];
+    if (!has_dimension(first.symbol->type)) continue;
+    for (const std::vector<KnownValue>& values : example.values)
+      if (to_text(values[k].value) != to_text(first.value)) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -188,7 +218,8 @@ CaseFacts facts_of(const CaseResult& result, const std::string& instance) {
   if (last == nullptr) return facts;
   facts.ranges = last->ranges;
   for (const Assumption& assumption : last->assumptions)
-    if (is_written(assumption, result.verified)) facts.assumptions.push_back(assumption);
+    if (is_written(assumption, result.verified) && !restricts_parameters(assumption.statement))
+      facts.assumptions.push_back(assumption);
   return facts;
 }
 
@@ -213,12 +244,17 @@ std::optional<Example> example_of(const std::vector<Term>& terms, const CaseFact
       example.names.push_back(base);
   }
   const ExampleValues wanted{symbols, terms};
-  for (int coordinate = 0; coordinate < 3; ++coordinate) {
-    const auto values = Copy{symbols, wanted, coordinate, facts, workspace}.values();
-    if (!values) return std::nullopt;
-    example.values[static_cast<std::size_t>(coordinate)] = *values;
+  // Some cases assume of a number that it is negative.
+  for (const int sign : {1, -1}) {
+    bool complete = true;
+    for (std::size_t coordinate = 0; coordinate < 3 && complete; ++coordinate) {
+      const auto values = Copy{symbols, wanted, sign, coordinate, facts, workspace}.values();
+      complete = values.has_value();
+      if (complete) example.values[coordinate] = *values;
+    }
+    if (complete && are_copies(example)) return example;
   }
-  return example;
+  return std::nullopt;
 }
 
 }  // namespace patchproof

@@ -16,7 +16,9 @@ Rational height(const Rational& s, const Rational& t, int number) {
                          : Rational{dome * Rational{1, 2} - slope + s * s * t / 2};
 }
 
-Rational part_of(int index, int count) { return count < 2 ? Rational{0} : Rational{index, count - 1}; }
+Rational part_of(int index, int count) {
+  return count < 2 ? Rational{0} : Rational{index, count - 1};
+}
 
 Point net_point(int i, int j, int rows, int columns, int number) {
   const int size = std::max({rows, columns, 2}) - 1;
@@ -46,7 +48,7 @@ Point hermite_vector(int i, int j, int number) {
 
 Point single_point(int number) {
   static const std::vector<Point> points{
-      Point{0, 0, 0},      Point{1, 0, {1, 2}}, Point{0, 1, {1, 2}}, Point{1, 1, 0},
+      Point{0, 0, {1, 2}}, Point{1, 0, 0},      Point{0, 1, 0},      Point{1, 1, {2, 5}},
       Point{2, 0, {1, 3}}, Point{2, 1, {2, 3}}, Point{0, 2, {1, 4}}, Point{1, 2, {3, 4}}};
   return points[static_cast<std::size_t>(number) % points.size()];
 }
@@ -91,13 +93,14 @@ ExampleValues::ExampleValues(const std::vector<SymbolPointer>& symbols,
     Part part;
     part.indices = indices_of(symbol->name);
     part.extents = extents[base];
-    std::string sort = symbol->type.is_point()    ? "point" : symbol->type.is_scalar() ? "scalar"
-                       : symbol->type.inner->is_scalar() ? "scalar of" : "point of";
+    std::string sort = symbol->type.is_point()           ? "point"
+                       : symbol->type.is_scalar()        ? "scalar"
+                       : symbol->type.inner->is_scalar() ? "scalar of"
+                                                         : "point of";
     for (const std::string& parameter : symbol->type.parameters) sort += " " + parameter;
     sort += std::to_string(part.indices.size());
     const auto known = numbers.find(base);
-    if (known == numbers.end() || part.indices.empty())
-      numbers[base] = counts[sort]++;
+    if (known == numbers.end() || part.indices.empty()) numbers[base] = counts[sort]++;
     part.number = numbers[base];
     parts_.emplace(symbol->ordinal, std::move(part));
   }
@@ -140,6 +143,8 @@ Point ExampleValues::constant(const SymbolPointer& symbol) const {
   const Part part = found == parts_.end() ? Part{} : found->second;
   if (symbol->type.is_scalar()) {
     if (part.indices.empty()) return {Rational{part.number + 1, 2}, 0, 0};
+    // Knots increase.
+    if (part.indices.size() == 1) return {Rational{part.indices[0] + 1, part.extents[0]}, 0, 0};
     int pattern = part.number;
     for (std::size_t k = 0; k < part.indices.size(); ++k)
       pattern += (static_cast<int>(k) + 1) * part.indices[k];
@@ -168,7 +173,9 @@ std::array<Polynomial, 3> ExampleValues::function(const SymbolPointer& symbol,
                                                   Budget& budget) const {
   const auto found = parts_.find(symbol->ordinal);
   const int number = found == parts_.end() ? 0 : found->second.number;
-  const auto times = [&](const Polynomial& a, const Polynomial& b) { return product(a, b, budget); };
+  const auto times = [&](const Polynomial& a, const Polynomial& b) {
+    return product(a, b, budget);
+  };
   const auto plus = [&](const Polynomial& a, const Polynomial& b) { return sum(a, b, budget); };
   const auto one_minus = [&](const Polynomial& a) { return difference(of(1), a, budget); };
   const Polynomial s = Polynomial::variable(variables.front());
@@ -183,14 +190,16 @@ std::array<Polynomial, 3> ExampleValues::function(const SymbolPointer& symbol,
     const bool across = parameter == "v";
     // Third and later ones are taken for derivatives across an edge.
     if (number >= 2) {
-      const Polynomial rise = plus(of({1, 4}), scaled(s, number % 2 == 0 ? Rational{1, 4} : Rational{-1, 3}));
+      const Polynomial rise =
+          plus(of({1, 4}), scaled(s, number % 2 == 0 ? Rational{1, 4} : Rational{-1, 3}));
       if (across) return {of(1), of(0), rise};
       return {of(0), of(1), rise};
     }
     // The edges of a patch: corners at the heights 0, 1/5 (u), 1/3 (v), 1/10 (both).
     const Rational first = number == 0 ? Rational{0} : across ? Rational{1, 5} : Rational{1, 3};
     const Rational last = number == 1 ? Rational{1, 10} : across ? Rational{1, 3} : Rational{1, 5};
-    const Rational swing = across ? Rational{number == 0 ? 4 : 5, 5} : Rational{number == 0 ? 6 : 3, 5};
+    const Rational swing =
+        across ? Rational{number == 0 ? 4 : 5, 5} : Rational{number == 0 ? 6 : 3, 5};
     const Polynomial tilted =
         times(bump, plus(of(number == 0 ? Rational{1} : Rational{1, 2}),
                          scaled(s, number == 0 ? Rational{-1, 2} : Rational{1, 2})));

@@ -24,8 +24,7 @@ class ExampleValues {
   /// The coordinates of an unknown function as polynomials in these variables, one for each
   /// parameter.
   std::array<Polynomial, 3> function(const SymbolPointer& symbol,
-                                     const std::vector<Variable>& variables,
-                                     Budget& budget) const;
+                                     const std::vector<Variable>& variables, Budget& budget) const;
 
  private:
   struct Part {

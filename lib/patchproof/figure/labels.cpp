@@ -69,8 +69,8 @@ LabelText latex_labels(const Notation& notation) {
              parts.rest;
     }
     const auto letters = notation.names.find(parts.letters);
-    const std::string written =
-        letters != notation.names.end() ? "{" + letters->second + "}" : plain_letters(parts.letters);
+    const std::string written = letters != notation.names.end() ? "{" + letters->second + "}"
+                                                                : plain_letters(parts.letters);
     return with_index(written, parts.index) + parts.rest;
   };
 }

@@ -1,6 +1,5 @@
 // Names of what can be told apart in a figure: control points at the corners, boundary curves.
 #include <algorithm>
-#include <set>
 
 #include <patchproof/figure/surface_parts.hpp>
 
@@ -37,6 +36,10 @@ bool runs_along(const Subject& curve, const Subject& patch, const Edge& edge) {
   return true;
 }
 
+bool contains(const std::vector<Point>& points, const Point& point) {
+  return std::find(points.begin(), points.end(), point) != points.end();
+}
+
 }  // namespace
 
 void add_names(const Subject& patch, const Grid& grid, Studio& studio, Scene& scene) {
@@ -46,15 +49,17 @@ void add_names(const Subject& patch, const Grid& grid, Studio& studio, Scene& sc
     for (const Rational& p : place) nearer.push_back(p + Rational{1, 8} * (Rational{1, 2} - p));
     return patch.at(nearer);
   };
+  std::vector<Point> named_corners;
   bool any = false;
   const std::vector<NamedPoint> points = studio.named_points();
   for (const int i : {0, 1})
     for (const int j : {0, 1}) {
       const Point corner = grid.at(i == 0 ? 0 : grid.cells, j == 0 ? 0 : grid.cells);
-      const auto named = std::find_if(points.begin(), points.end(), [&](const NamedPoint& p) {
-        return p.point == corner;
-      });
-      if (named == points.end()) continue;
+      const auto named = std::find_if(points.begin(), points.end(),
+                                      [&](const NamedPoint& p) { return p.point == corner; });
+      // A triangle has two corners in one point.
+      if (named == points.end() || contains(named_corners, corner)) continue;
+      named_corners.push_back(corner);
       scene.add_label(corner, inside({Rational{i}, Rational{j}}), named->name);
       any = true;
     }

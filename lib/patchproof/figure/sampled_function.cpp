@@ -32,8 +32,7 @@ std::optional<Rational> exact_value(const Polynomial& polynomial,
 enum class Exactness { exact, no_value, inexact };
 
 std::pair<Exactness, Rational> exact_value(const Fraction& fraction,
-                                           const std::map<Variable, Rational>& at,
-                                           Budget& budget) {
+                                           const std::map<Variable, Rational>& at, Budget& budget) {
   const std::optional<Rational> numerator = exact_value(fraction.numerator(), at, budget);
   if (!numerator) return {Exactness::inexact, 0};
   Rational result = *numerator;
@@ -102,8 +101,7 @@ std::vector<Rational> SampledFunction::parameters(const std::vector<Rational>& p
 std::optional<Point> SampledFunction::value_at(const std::vector<Rational>& place) const {
   std::map<Variable, Rational> at;
   const std::vector<Rational> its_parameters = parameters(place);
-  for (std::size_t k = 0; k < variables_.size(); ++k)
-    at.emplace(variables_[k], its_parameters[k]);
+  for (std::size_t k = 0; k < variables_.size(); ++k) at.emplace(variables_[k], its_parameters[k]);
   Point result{};
   for (std::size_t k = 0; k < coordinates_.size(); ++k) {
     const std::optional<Rational> coordinate = number_at(coordinates_[k], at, *workspace_);

@@ -70,8 +70,8 @@ void Scene::add_facet(const std::vector<Point>& corners, Ink ink, int strength) 
     polygon.corners.push_back({seen[0], seen[1]});
     depth += seen[2];
   }
-  items_.push_back({hidden_if_behind, Rational{depth / static_cast<long>(corners.size())},
-                    std::move(polygon)});
+  items_.push_back(
+      {hidden_if_behind, Rational{depth / static_cast<long>(corners.size())}, std::move(polygon)});
 }
 
 void Scene::add_segment(const Point& from, const Point& to, Ink ink, const Rational& lift) {

@@ -45,9 +45,9 @@ bool is_triangular(const Term& term) {
 
 void require_dimension(const std::string& name, const Type& value) {
   if (value.is_scalar() || value.dimension <= 3) return;
-  throw CannotDraw{"'" + name + "' lies in R^" + std::to_string(value.dimension) +
-                       ", which is not drawn",
-                   "figures are of R^1, R^2 and R^3"};
+  throw CannotDraw{
+      "'" + name + "' lies in R^" + std::to_string(value.dimension) + ", which is not drawn",
+      "figures are of R^1, R^2 and R^3"};
 }
 
 }  // namespace
@@ -92,15 +92,14 @@ Studio::Studio(const CaseResult& result, const std::vector<std::string>& names,
                        did_you_mean(split(name).first, known)};
     }
     if (!is_drawable(*found))
-      throw CannotDraw{"'" + name + "' is a " + to_text(found->term.type()) +
-                           ", which is not drawn",
-                       "curves, patches and scalar functions of one or two parameters are"};
+      throw CannotDraw{
+          "'" + name + "' is a " + to_text(found->term.type()) + ", which is not drawn",
+          "curves, patches and scalar functions of one or two parameters are"};
     require_dimension(name, *found->term.type().inner);
     terms.push_back(found->term);
   }
   prepare(terms);
-  for (std::size_t k = 0; k < names.size(); ++k)
-    subjects_.push_back(subject(names[k], terms[k]));
+  for (std::size_t k = 0; k < names.size(); ++k) subjects_.push_back(subject(names[k], terms[k]));
 }
 
 void Studio::compare(const Claim& claim) {
@@ -112,12 +111,14 @@ void Studio::compare(const Claim& claim) {
   for (const auto& [ordinal, symbol] : found)
     if (symbol->role == Symbol::Role::parameter) parameters.push_back(symbol);
   if (parameters.empty() || parameters.size() > 2 || type.is_matrix())
-    throw CannotDraw{"claim '" + claim.label + "' does not compare curves, patches or functions "
-                                               "of one or two parameters"};
+    throw CannotDraw{"claim '" + claim.label +
+                     "' does not compare curves, patches or functions "
+                     "of one or two parameters"};
   require_dimension(claim.label, type);
   is_comparison_ = true;
   prepare({statement.left, statement.right});
-  subjects_ = {side("left", statement.left, parameters), side("right", statement.right, parameters)};
+  subjects_ = {side("left", statement.left, parameters),
+               side("right", statement.right, parameters)};
 }
 
 void Studio::prepare(const std::vector<Term>& terms) {
@@ -179,12 +180,11 @@ Subject Studio::subject(const std::string& name, const Term& term) {
   const std::vector<Variable> variables = evaluators_.front().formals(term);
   std::vector<ParameterInterval> ranges;
   for (std::size_t k = 0; k < variables.size(); ++k)
-    ranges.push_back(interval(term.type().parameters[k], variables[k], variables,
-                              term.type().parameters));
+    ranges.push_back(
+        interval(term.type().parameters[k], variables[k], variables, term.type().parameters));
   if (variables.size() == 2 && is_triangular(term))
     ranges[1].high = difference(Rational{1}, Polynomial::variable(variables[0]), workspace_.budget);
-  Subject result{name,
-                 SampledFunction{coordinates(term), variables, std::move(ranges), workspace_},
+  Subject result{name, SampledFunction{coordinates(term), variables, std::move(ranges), workspace_},
                  value.is_scalar() || value.dimension == 1, false, net_of(term)};
   result.is_plane = value.dimension == 2 || (result.is_graph && variables.size() == 1);
   return result;
@@ -201,8 +201,7 @@ Subject Studio::side(const std::string& name, const Term& term, const Formals& p
   for (std::size_t k = 0; k < variables.size(); ++k)
     ranges.push_back(interval(names[k], variables[k], variables, names));
   const Type& value = term.type();
-  Subject result{name,
-                 SampledFunction{coordinates(term), variables, std::move(ranges), workspace_},
+  Subject result{name, SampledFunction{coordinates(term), variables, std::move(ranges), workspace_},
                  value.is_scalar() || value.dimension == 1, false, std::nullopt};
   result.is_plane = value.dimension == 2 || (result.is_graph && variables.size() == 1);
   return result;
@@ -222,15 +221,18 @@ std::optional<ControlNet> Studio::net_of(const Term& term) {
   static const std::set<std::string, std::less<>> with_net{"bezier", "bezier_patch",
                                                            "bezier_curve"};
   switch (term.operation()) {
-    case Operation::lambda: return net_of(term.child(0));
+    case Operation::lambda:
+      return net_of(term.child(0));
     case Operation::apply: {
       // Only where the arguments are the bare parameters.
       for (std::size_t k = 1; k < term.children().size(); ++k)
         if (term.child(k).operation() != Operation::symbol) return std::nullopt;
       return net_of(term.child(0));
     }
-    case Operation::definition: break;
-    default: return std::nullopt;
+    case Operation::definition:
+      break;
+    default:
+      return std::nullopt;
   }
   if (!with_net.contains(term.name()) || term.children().size() < 2) return std::nullopt;
   const Term& matrix = term.child(1);

@@ -49,8 +49,8 @@ bool are_surfaces(const Studio& studio) {
 
 Figure surface_figure(Studio& studio, const FigureOptions& options) {
   const std::vector<Subject>& subjects = studio.subjects();
-  const bool flat = std::all_of(subjects.begin(), subjects.end(),
-                                [](const Subject& s) { return s.is_plane; });
+  const bool flat =
+      std::all_of(subjects.begin(), subjects.end(), [](const Subject& s) { return s.is_plane; });
   Scene scene{flat ? Projection::flat() : Projection{options.view}};
   std::vector<Grid> grids;
   std::vector<Point> centres;
@@ -78,7 +78,8 @@ Figure surface_figure(Studio& studio, const FigureOptions& options) {
       add_isolines(grid, options.cells_between_lines, scene);
     }
     add_boundary(grid, Ink::boundary, scene);
-    std::optional<ControlNet> net = subject.net;
+    // Several nets at once are a tangle, and have to be asked for.
+    std::optional<ControlNet> net = grids.size() == 1 || options.net ? subject.net : std::nullopt;
     if (!net && options.net) net = bezier_net_of(subject);
     if (net && !options.zebra) add_net(*net, 3 * lift, scene);
     if (options.twists) add_twists(subject, grid, scene);

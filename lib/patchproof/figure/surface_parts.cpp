@@ -127,9 +127,8 @@ std::optional<ControlNet> bezier_net_of(const Subject& subject) {
       const unsigned l = variables.size() > 1 ? term.monomial.exponent(variables[1]) : 0;
       for (unsigned i = k; i <= degrees[0]; ++i)
         for (unsigned j = l; j <= degrees[1]; ++j)
-          net.points[i * net.columns + j][c] += term.coefficient * binomial(i, k) *
-                                                binomial(j, l) / binomial(degrees[0], k) /
-                                                binomial(degrees[1], l);
+          net.points[i * net.columns + j][c] += term.coefficient * binomial(i, k) * binomial(j, l) /
+                                                binomial(degrees[0], k) / binomial(degrees[1], l);
     }
   return net;
 }
@@ -144,7 +143,8 @@ void add_twists(const Subject& patch, const Grid& grid, Scene& scene) {
     for (const int j : {0, 1}) {
       const Point value = mixed.value({Rational{i}, Rational{j}});
       const Point twist = patch.is_graph ? Point{0, 0, value[0]} : value;
-      for (const Rational& coordinate : twist) longest = std::max(longest, Rational{abs(coordinate)});
+      for (const Rational& coordinate : twist)
+        longest = std::max(longest, Rational{abs(coordinate)});
       arrows.emplace_back(grid.at(i == 0 ? 0 : n, j == 0 ? 0 : n), twist);
       names.push_back(patch.name + "_uv(" + std::to_string(i) + "," + std::to_string(j) + ")");
     }

@@ -9,17 +9,26 @@ namespace patchproof {
 
 namespace {
 
-constexpr int margin = 8;
+constexpr int margin = 2;
 
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
     }
   }
   return result;
@@ -37,6 +46,48 @@ std::string colour(const std::array<int, 3>& rgb, int strength) {
 }
 
 std::string length(int hundredths) { return decimal(Rational{hundredths, 100}, 2); }
+
+int sideways(Side side) {
+  if (side == Side::left || side == Side::above_left || side == Side::below_left) return -1;
+  return side == Side::above || side == Side::below ? 0 : 1;
+}
+
+int upwards(Side side) {
+  if (side == Side::below || side == Side::below_left || side == Side::below_right) return -1;
+  return side == Side::left || side == Side::right ? 0 : 1;
+}
+
+// Where the base line of the text begins, ends or has its middle.
+Place text_place(const Label& label) {
+  const int up = upwards(label.side);
+  const Rational dy = up == 0 ? Rational{-1} : up > 0 ? Rational{6, 5} : Rational{-16, 5};
+  return {Rational{label.at.x + sideways(label.side) * Rational{6, 5}}, Rational{label.at.y + dy}};
+}
+
+/// What is drawn lies between these, labels too.
+struct Frame {
+  Rational left;
+  Rational right;
+  Rational bottom;
+  Rational top;
+};
+
+Frame frame_of(const Figure& figure) {
+  Frame frame{-margin, figure.width + margin, -margin, figure.height + margin};
+  for (const Shape& shape : figure.shapes) {
+    const auto* label = std::get_if<Label>(&shape);
+    if (label == nullptr) continue;
+    // Letters are about 2 mm wide and 3 mm high.
+    const Place at = text_place(*label);
+    const int width = 2 * static_cast<int>(label->name.size());
+    const int direction = sideways(label->side);
+    frame.left = std::min(frame.left, Rational{at.x - Rational{width * (1 - direction), 2}});
+    frame.right = std::max(frame.right, Rational{at.x + Rational{width * (1 + direction), 2}});
+    frame.bottom = std::min(frame.bottom, Rational{at.y - 1});
+    frame.top = std::max(frame.top, Rational{at.y + 3});
+  }
+  return frame;
+}
 
 /// Writes shapes; y goes down in SVG.
 struct Writer {
@@ -73,17 +124,13 @@ struct Writer {
   }
   std::string operator()(const Label& l) const {
     const LabelParts parts = label_parts(l.name);
-    const bool left = l.side == Side::left || l.side == Side::above_left || l.side == Side::below_left;
-    const bool right =
-        l.side == Side::right || l.side == Side::above_right || l.side == Side::below_right;
-    const bool up =
-        l.side == Side::above || l.side == Side::above_left || l.side == Side::above_right;
-    const bool level = l.side == Side::left || l.side == Side::right;
-    const Rational dx = left ? Rational{-6, 5} : right ? Rational{6, 5} : Rational{0};
-    const Rational dy = level ? Rational{-1} : up ? Rational{6, 5} : Rational{-16, 5};
-    const Place at{Rational{l.at.x + dx}, Rational{l.at.y + dy}};
+    const Place at = text_place(l);
+    const int direction = sideways(l.side);
     std::string text = "<text x=\"" + x(at) + "\" y=\"" + y(at) + "\" text-anchor=\"" +
-                       (left ? "end" : right ? "start" : "middle") + "\">" + escaped(parts.letters);
+                       (direction < 0   ? "end"
+                        : direction > 0 ? "start"
+                                        : "middle") +
+                       "\">" + escaped(parts.letters);
     if (!parts.index.empty())
       text += "<tspan dy=\"0.8\" font-size=\"2.4\">" + escaped(parts.index) + "</tspan>";
     if (!parts.rest.empty())
@@ -113,23 +160,24 @@ std::string styles(const Figure& figure) {
       "<defs><style>\n"
       "polygon { stroke-width: 0.12 }\n"
       "polyline, line { fill: none; stroke-linecap: round; stroke-linejoin: round }\n"
-      "text { font: italic 3.6px 'Latin Modern Math', 'STIX Two Text', 'Times New Roman', serif }\n";
+      "text { font: italic 3.6px 'Latin Modern Math', 'STIX Two Text', 'Times New Roman', serif "
+      "}\n";
   for (const Ink ink : of_lines)
-    text += "." + std::string{style_of(ink).name} + " { stroke: " +
-            colour(style_of(ink).colour, 100) + "; stroke-width: " + length(style_of(ink).width) +
-            " }\n";
+    text += "." + std::string{style_of(ink).name} +
+            " { stroke: " + colour(style_of(ink).colour, 100) +
+            "; stroke-width: " + length(style_of(ink).width) + " }\n";
   return text + "</style>\n" + tips + "</defs>\n";
 }
 
 }  // namespace
 
 std::string svg(const Figure& figure) {
-  const Rational whole_width = figure.width + 2 * margin;
-  const Rational whole_height = figure.height + 2 * margin;
-  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-                     decimal(whole_width, 2) + "mm\" height=\"" + decimal(whole_height, 2) +
-                     "mm\" viewBox=\"-" + std::to_string(margin) + " -" + std::to_string(margin) +
-                     " " + decimal(whole_width, 2) + " " + decimal(whole_height, 2) + "\">\n";
+  const Frame frame = frame_of(figure);
+  const std::string width = decimal(frame.right - frame.left, 2);
+  const std::string height = decimal(frame.top - frame.bottom, 2);
+  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width +
+                     "mm\" height=\"" + height + "mm\" viewBox=\"" + decimal(frame.left, 2) + " " +
+                     decimal(figure.height - frame.top, 2) + " " + width + " " + height + "\">\n";
   for (const std::string& note : figure.notes) text += "<desc>" + escaped(note) + "</desc>\n";
   text += styles(figure);
   const Writer writer{figure.height};

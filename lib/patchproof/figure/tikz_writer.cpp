@@ -21,21 +21,27 @@ std::string path(const std::vector<Place>& places) {
   return text;
 }
 
-std::string width_of(Ink ink) {
-  return decimal(Rational{style_of(ink).width, 100}, 2) + "mm";
-}
+std::string width_of(Ink ink) { return decimal(Rational{style_of(ink).width, 100}, 2) + "mm"; }
 
 // The anchor is the side of the text that is turned to the place.
 std::string anchor_of(Side side) {
   switch (side) {
-    case Side::right: return "west";
-    case Side::above_right: return "south west";
-    case Side::above: return "south";
-    case Side::above_left: return "south east";
-    case Side::left: return "east";
-    case Side::below_left: return "north east";
-    case Side::below: return "north";
-    default: return "north west";
+    case Side::right:
+      return "west";
+    case Side::above_right:
+      return "south west";
+    case Side::above:
+      return "south";
+    case Side::above_left:
+      return "south east";
+    case Side::left:
+      return "east";
+    case Side::below_left:
+      return "north east";
+    case Side::below:
+      return "north";
+    default:
+      return "north west";
   }
 }
 
@@ -56,8 +62,8 @@ struct Writer {
            path({a.from, a.to}) + ";\n";
   }
   std::string operator()(const Dot& d) const {
-    return "\\fill[" + colour_name(d.ink) + "]" + place_text(d.at) + " circle[radius=" +
-           width_of(d.ink) + "];\n";
+    return "\\fill[" + colour_name(d.ink) + "]" + place_text(d.at) +
+           " circle[radius=" + width_of(d.ink) + "];\n";
   }
   std::string operator()(const Label& l) const {
     return "\\node[anchor=" + anchor_of(l.side) + "] at " + place_text(l.at) + " {$" +
@@ -90,8 +96,7 @@ std::string tikz(const Figure& figure, const LabelText& label_text) {
     text += "\\definecolor{" + colour_name(ink) + "}{RGB}{" + std::to_string(c[0]) + "," +
             std::to_string(c[1]) + "," + std::to_string(c[2]) + "}\n";
   }
-  for (const Shape& shape : figure.shapes)
-    text += std::visit(Writer{label_text}, shape);
+  for (const Shape& shape : figure.shapes) text += std::visit(Writer{label_text}, shape);
   return text + "\\end{tikzpicture}\n";
 }
 

@@ -33,7 +33,7 @@ std::vector<Corner> cut(const std::vector<Corner>& polygon, const Rational& at, 
 long floor_of(const Rational& x) {
   const Integer whole = numerator(x) / denominator(x);
   return static_cast<long>(x < 0 && whole * denominator(x) != numerator(x) ? Integer{whole - 1}
-                                                                             : whole);
+                                                                           : whole);
 }
 
 class Zebra {
