@@ -233,7 +233,9 @@ std::optional<Example> example_of(const std::vector<Term>& terms, const CaseFact
       found.merge(free_symbols(side));
   for (const ParameterRange& range : facts.ranges)
     for (const Term& end : {range.lower, range.upper}) found.merge(free_symbols(end));
-  for (const ParameterRange& range : facts.ranges) found.erase(range.parameter->ordinal);
+  // Functions are drawn over their parameters, which keep their names inside them.
+  std::erase_if(found,
+                [](const auto& symbol) { return symbol.second->role == Symbol::Role::parameter; });
   for (const KnownValue& known : facts.derived) found.erase(known.symbol->ordinal);
   std::vector<SymbolPointer> symbols;
   Example example;

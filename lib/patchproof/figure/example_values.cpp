@@ -48,7 +48,7 @@ Point hermite_vector(int i, int j, int number) {
 
 Point single_point(int number) {
   static const std::vector<Point> points{
-      Point{0, 0, {1, 2}}, Point{1, 0, 0},      Point{0, 1, 0},      Point{1, 1, {2, 5}},
+      Point{0, 0, {1, 5}}, Point{1, 0, 0},      Point{0, 1, 0},      Point{1, 1, {3, 5}},
       Point{2, 0, {1, 3}}, Point{2, 1, {2, 3}}, Point{0, 2, {1, 4}}, Point{1, 2, {3, 4}}};
   return points[static_cast<std::size_t>(number) % points.size()];
 }

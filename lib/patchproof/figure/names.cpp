@@ -36,6 +36,30 @@ bool runs_along(const Subject& curve, const Subject& patch, const Edge& edge) {
   return true;
 }
 
+// Whether a facet lies before the point, by more than the lift.
+bool is_hidden(const Point& point, const Grid& grid, const Projection& projection) {
+  const Point seen = projection(point);
+  const Rational lift = lift_over(grid, projection);
+  const auto side = [&](const Point& a, const Point& b) {
+    return Rational{(b[0] - a[0]) * (seen[1] - a[1]) - (b[1] - a[1]) * (seen[0] - a[0])};
+  };
+  for (std::size_t i = 0; i < grid.cells; ++i)
+    for (std::size_t j = 0; j < grid.cells; ++j) {
+      const Point a = projection(grid.at(i, j));
+      const Point b = projection(grid.at(i + 1, j));
+      const Point c = projection(grid.at(i + 1, j + 1));
+      const Point d = projection(grid.at(i, j + 1));
+      if (a[2] + b[2] + c[2] + d[2] <= 4 * (seen[2] + lift)) continue;
+      const std::array<Rational, 4> sides{side(a, b), side(b, c), side(c, d), side(d, a)};
+      const auto positive = [](const Rational& x) { return x > 0; };
+      const auto negative = [](const Rational& x) { return x < 0; };
+      if (std::all_of(sides.begin(), sides.end(), positive) ||
+          std::all_of(sides.begin(), sides.end(), negative))
+        return true;
+    }
+  return false;
+}
+
 bool contains(const std::vector<Point>& points, const Point& point) {
   return std::find(points.begin(), points.end(), point) != points.end();
 }
@@ -49,6 +73,10 @@ void add_names(const Subject& patch, const Grid& grid, Studio& studio, Scene& sc
     for (const Rational& p : place) nearer.push_back(p + Rational{1, 8} * (Rational{1, 2} - p));
     return patch.at(nearer);
   };
+  const auto add = [&](const Point& at, const std::vector<Rational>& place,
+                       const std::string& name) {
+    if (!is_hidden(at, grid, scene.projection())) scene.add_label(at, inside(place), name);
+  };
   std::vector<Point> named_corners;
   bool any = false;
   const std::vector<NamedPoint> points = studio.named_points();
@@ -60,7 +88,7 @@ void add_names(const Subject& patch, const Grid& grid, Studio& studio, Scene& sc
       // A triangle has two corners in one point.
       if (named == points.end() || contains(named_corners, corner)) continue;
       named_corners.push_back(corner);
-      scene.add_label(corner, inside({Rational{i}, Rational{j}}), named->name);
+      add(corner, {Rational{i}, Rational{j}}, named->name);
       any = true;
     }
   const std::vector<Subject> curves = studio.named_curves();
@@ -70,15 +98,14 @@ void add_names(const Subject& patch, const Grid& grid, Studio& studio, Scene& sc
     });
     if (named == curves.end()) continue;
     const std::vector<Rational> middle = place_on(edge, {1, 2});
-    scene.add_label(patch.at(middle), inside(middle), named->name);
+    add(patch.at(middle), middle, named->name);
     any = true;
   }
   if (any) return;
   for (const int i : {0, 1})
     for (const int j : {0, 1})
-      scene.add_label(grid.at(i == 0 ? 0 : grid.cells, j == 0 ? 0 : grid.cells),
-                      inside({Rational{i}, Rational{j}}),
-                      patch.name + "(" + std::to_string(i) + "," + std::to_string(j) + ")");
+      add(grid.at(i == 0 ? 0 : grid.cells, j == 0 ? 0 : grid.cells), {Rational{i}, Rational{j}},
+          patch.name + "(" + std::to_string(i) + "," + std::to_string(j) + ")");
 }
 
 }  // namespace patchproof

@@ -124,6 +124,8 @@ void Studio::compare(const Claim& claim) {
 void Studio::prepare(const std::vector<Term>& terms) {
   // All definitions are looked at, so that a matrix gets the same values whatever is drawn.
   std::vector<Term> all = terms;
+  for (const Term& term : terms)
+    for (const auto& [ordinal, symbol] : free_symbols(term)) symbols_.insert(ordinal);
   for (const Declaration& d : case_.declarations)
     if (d.instance == instance_) all.push_back(d.term);
   std::optional<Example> example = example_of(all, facts_, workspace_);
@@ -176,18 +178,8 @@ ParameterInterval Studio::interval(const std::string& parameter, Variable own,
 }
 
 Subject Studio::subject(const std::string& name, const Term& term) {
-  const Type& value = *term.type().inner;
-  const std::vector<Variable> variables = evaluators_.front().formals(term);
-  std::vector<ParameterInterval> ranges;
-  for (std::size_t k = 0; k < variables.size(); ++k)
-    ranges.push_back(
-        interval(term.type().parameters[k], variables[k], variables, term.type().parameters));
-  if (variables.size() == 2 && is_triangular(term))
-    ranges[1].high = difference(Rational{1}, Polynomial::variable(variables[0]), workspace_.budget);
-  Subject result{name, SampledFunction{coordinates(term), variables, std::move(ranges), workspace_},
-                 value.is_scalar() || value.dimension == 1, false, net_of(term)};
-  result.is_plane = value.dimension == 2 || (result.is_graph && variables.size() == 1);
-  return result;
+  return made(name, term, evaluators_.front().formals(term), term.type().parameters,
+              *term.type().inner);
 }
 
 Subject Studio::side(const std::string& name, const Term& term, const Formals& parameters) {
@@ -197,14 +189,24 @@ Subject Studio::side(const std::string& name, const Term& term, const Formals& p
     variables.push_back(workspace_.atoms.symbol(parameter));
     names.push_back(parameter->name);
   }
+  return made(name, term, variables, names, term.type());
+}
+
+Subject Studio::made(const std::string& name, const Term& term,
+                     const std::vector<Variable>& variables, const std::vector<std::string>& names,
+                     const Type& value) {
   std::vector<ParameterInterval> ranges;
   for (std::size_t k = 0; k < variables.size(); ++k)
     ranges.push_back(interval(names[k], variables[k], variables, names));
-  const Type& value = term.type();
-  Subject result{name, SampledFunction{coordinates(term), variables, std::move(ranges), workspace_},
-                 value.is_scalar() || value.dimension == 1, false, std::nullopt};
-  result.is_plane = value.dimension == 2 || (result.is_graph && variables.size() == 1);
-  return result;
+  if (variables.size() == 2 && is_triangular(term))
+    ranges[1].high = difference(Rational{1}, Polynomial::variable(variables[0]), workspace_.budget);
+  const bool is_graph = value.is_scalar() || value.dimension == 1;
+  return {name,
+          names,
+          SampledFunction{coordinates(term), variables, std::move(ranges), workspace_},
+          is_graph,
+          value.dimension == 2 || (is_graph && variables.size() == 1),
+          net_of(term)};
 }
 
 Point Studio::point_of(const std::vector<Fraction>& coordinates) {
@@ -255,12 +257,11 @@ std::vector<NamedPoint> Studio::named_points() {
   std::vector<NamedPoint> result;
   for (const Declaration& d : case_.declarations) {
     if (d.keyword != "point" || (d.instance != instance_ && !d.instance.empty())) continue;
-    if (d.term.type().is_point())
-      result.push_back({d.name, point_of(coordinates(d.term))});
-    else if (d.term.operation() == Operation::matrix)
-      for (const Term& entry : d.term.children())
-        if (entry.operation() == Operation::symbol)
-          result.push_back({entry.symbol()->name, point_of(coordinates(entry))});
+    const std::vector<Term> entries =
+        d.term.operation() == Operation::matrix ? d.term.children() : std::vector<Term>{d.term};
+    for (const Term& entry : entries)
+      if (entry.operation() == Operation::symbol && symbols_.contains(entry.symbol()->ordinal))
+        result.push_back({entry.symbol()->name, point_of(coordinates(entry))});
   }
   return result;
 }
@@ -275,10 +276,12 @@ std::vector<Subject> Studio::named_curves() {
 }
 
 std::vector<std::string> Studio::notes() const {
-  if (example_.names.empty()) return {};
+  std::vector<std::string> result;
+  if (is_comparison_) result.emplace_back("left side: thin lines; right side: orange");
   std::string names;
   for (const std::string& name : example_.names) names += (names.empty() ? "" : ", ") + name;
-  return {"example values: " + names};
+  if (!names.empty()) result.push_back("example values: " + names);
+  return result;
 }
 
 }  // namespace patchproof

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct ControlNet {
 /// A curve, patch or scalar function that can be drawn.
 struct Subject {
   std::string name;
+  /// What its parameters are called.
+  std::vector<std::string> parameters;
   SampledFunction function;
   /// The graph of a scalar function: its parameters are coordinates.
   bool is_graph = false;
@@ -60,7 +63,7 @@ class Studio {
   /// The two sides of a refuted equation, where the only name is the label of one.
   bool is_comparison() const { return is_comparison_; }
 
-  /// The points and curves of the case that have names, for labels.
+  /// The points in what is drawn, and the curves of the case, that have names: for labels.
   std::vector<NamedPoint> named_points();
   std::vector<Subject> named_curves();
 
@@ -73,6 +76,8 @@ class Studio {
   void prepare(const std::vector<Term>& terms);
   Subject subject(const std::string& name, const Term& term);
   Subject side(const std::string& name, const Term& term, const Formals& parameters);
+  Subject made(const std::string& name, const Term& term, const std::vector<Variable>& variables,
+               const std::vector<std::string>& names, const Type& value);
   std::vector<Fraction> coordinates(const Term& term);
   std::optional<ControlNet> net_of(const Term& term);
   Point point_of(const std::vector<Fraction>& coordinates);
@@ -87,6 +92,8 @@ class Studio {
   Example example_;
   std::vector<Evaluator> evaluators_;
   std::vector<Subject> subjects_;
+  /// What occurs in the subjects.
+  std::set<unsigned> symbols_;
   bool is_comparison_ = false;
 };
 

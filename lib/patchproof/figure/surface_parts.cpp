@@ -146,7 +146,8 @@ void add_twists(const Subject& patch, const Grid& grid, Scene& scene) {
       for (const Rational& coordinate : twist)
         longest = std::max(longest, Rational{abs(coordinate)});
       arrows.emplace_back(grid.at(i == 0 ? 0 : n, j == 0 ? 0 : n), twist);
-      names.push_back(patch.name + "_uv(" + std::to_string(i) + "," + std::to_string(j) + ")");
+      names.push_back(patch.name + "_" + patch.parameters[0] + patch.parameters[1] + "(" +
+                      std::to_string(i) + "," + std::to_string(j) + ")");
     }
   if (longest == 0) return;
   Rational size = 0;
