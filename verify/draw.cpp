@@ -89,14 +89,17 @@ std::string names_of(const std::vector<Case>& cases) {
 ExitCode draw(const Case& given, const DrawArguments& arguments, const FigureOptions& options) {
   const Drawing drawing = drawing_of(result_for(given, arguments.names), arguments.names, options);
   if (!drawing.figure) return complain(drawing.problem, drawing.help);
-  const std::string text = arguments.output.ends_with(".svg") || arguments.output.ends_with(".png")
-                               ? svg(*drawing.figure)
-                               : tikz(*drawing.figure, latex_labels(given.notation));
+  std::string text;
   if (arguments.output.ends_with(".png")) {
-    const std::string problem = write_png(text, arguments.output, {arguments.path});
-    if (problem.empty()) return ExitCode::as_expected;
-    print_error("patchproof: cannot write '" + arguments.output + "': " + problem + "\n");
-    return ExitCode::unreadable;
+    FileText png = png_of(svg(*drawing.figure));
+    if (!png.text) {
+      print_error("patchproof: cannot write '" + arguments.output + "': " + png.problem + "\n");
+      return ExitCode::unreadable;
+    }
+    text = std::move(*png.text);
+  } else {
+    text = arguments.output.ends_with(".svg") ? svg(*drawing.figure)
+                                              : tikz(*drawing.figure, latex_labels(given.notation));
   }
   Output output{arguments.output, {arguments.path}};
   return output.good() && output.write(text) ? ExitCode::as_expected : ExitCode::unreadable;

@@ -2,7 +2,6 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <verify/files.hpp>
 #include <verify/image.hpp>
 
 #include <array>
@@ -16,61 +15,69 @@ namespace patchproof {
 
 namespace {
 
-// A file without name: the converter reads it from its start, however slow it is.
-int hidden_file(const std::string& text) {
-  std::string name = (std::filesystem::temp_directory_path() / "patchproof_XXXXXX").string();
-  const int descriptor = ::mkstemp(name.data());
-  if (descriptor < 0) return descriptor;
-  ::unlink(name.c_str());
-  if (!write_all(descriptor, text).empty() || ::lseek(descriptor, 0, SEEK_SET) != 0) {
-    ::close(descriptor);
-    return -1;
+/// A file without name, removed at the end of its life. Unlike a pipe it never has to be waited
+/// for.
+class HiddenFile {
+ public:
+  HiddenFile() {
+    std::string name = (std::filesystem::temp_directory_path() / "patchproof_XXXXXX").string();
+    descriptor_ = ::mkstemp(name.data());
+    if (descriptor_ >= 0) ::unlink(name.c_str());
   }
-  return descriptor;
-}
+  ~HiddenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  HiddenFile(const HiddenFile&) = delete;
+  HiddenFile& operator=(const HiddenFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  bool rewind() const { return ::lseek(descriptor_, 0, SEEK_SET) == 0; }
+
+  std::string text() const {
+    std::string result;
+    std::array<char, 65536> block{};
+    for (;;) {
+      const ssize_t count = ::read(descriptor_, block.data(), block.size());
+      if (count <= 0) return result;
+      result.append(block.data(), static_cast<std::size_t>(count));
+    }
+  }
+
+ private:
+  int descriptor_;
+};
 
 }  // namespace
 
-std::string write_png(const std::string& svg, const std::string& path,
-                      const std::vector<std::string>& inputs) {
-  for (const std::string& input : inputs) {
-    std::error_code error;
-    if (std::filesystem::equivalent(path, input, error) && !error)
-      return "it is one of the case files";
-  }
-  const int target = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (target < 0) return std::strerror(errno);
-  const int source = hidden_file(svg);
-  if (source < 0) {
-    ::close(target);
-    return "no temporary file";
-  }
-  std::string program = "rsvg-convert";
-  std::array<std::string, 5> words{program, "--dpi-x=300", "--dpi-y=300",
+FileText png_of(const std::string& svg) {
+  const HiddenFile source;
+  const HiddenFile target;
+  if (source.descriptor() < 0 || target.descriptor() < 0 ||
+      !write_all(source.descriptor(), svg).empty() || !source.rewind())
+    return {std::nullopt, "no temporary file can be written"};
+  std::array<std::string, 5> words{"rsvg-convert", "--dpi-x=300", "--dpi-y=300",
                                    "--background-color=white", "--format=png"};
   std::array<char*, 6> arguments{};
   for (std::size_t k = 0; k < words.size(); ++k) arguments[k] = words[k].data();
-  // What is in the file is replaced only now: until here nothing was known to work.
-  const bool emptied = ::ftruncate(target, 0) == 0;
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, source, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, target, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, source.descriptor(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, target.descriptor(), STDOUT_FILENO);
   pid_t child = 0;
-  const int problem = emptied ? ::posix_spawnp(&child, program.c_str(), &actions, nullptr,
-                                               arguments.data(), environ)
-                              : errno;
+  const int problem =
+      ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  ::close(source);
-  ::close(target);
   if (problem == ENOENT)
-    return "there is no program rsvg-convert\n  = help: install the package librsvg2-bin, or write "
-           "*.svg";
-  if (problem != 0) return std::strerror(problem);
+    return {std::nullopt,
+            "there is no program rsvg-convert\n"
+            "  = help: install the package librsvg2-bin, or write *.svg"};
+  if (problem != 0) return {std::nullopt, std::strerror(problem)};
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : "rsvg-convert failed";
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !target.rewind())
+    return {std::nullopt, "rsvg-convert failed"};
+  return {target.text(), ""};
 }
 
 }  // namespace patchproof

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include <verify/files.hpp>
 
 namespace patchproof {
 
-/// Writes an SVG document as PNG, by the program rsvg-convert, at 300 dots per inch. A file that is
-/// one of the inputs is left as it is. @returns "" or what went wrong.
-std::string write_png(const std::string& svg, const std::string& path,
-                      const std::vector<std::string>& inputs);
+/// The SVG document as PNG at 300 dots per inch, by the program rsvg-convert; or what went wrong,
+/// with a line of help where there is some.
+FileText png_of(const std::string& svg);
 
 }  // namespace patchproof

@@ -1,6 +1,3 @@
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -39,7 +36,7 @@ std::string complaint(std::vector<std::string> words) {
 
 TEST_CASE("draw writes SVG, TikZ and PNG by the ending of the file, and ends with 0") {
   const TemporaryFolder folder;
-  for (const std::string& name : {"a.svg", "a.tikz", "a.tex", "a.png"}) {
+  for (const std::string name : {"a.svg", "a.tikz", "a.tex", "a.png"}) {
     const Ended ended = draw(folder, {"surface", "-o", name});
     INFO(name << ended.errors);
     if (name == "a.png" && ended.errors.find("no program rsvg-convert") != std::string::npos)
@@ -52,6 +49,21 @@ TEST_CASE("draw writes SVG, TikZ and PNG by the ending of the file, and ends wit
   CHECK(folder.text("a.tikz") == folder.text("a.tex"));
   const std::string png = folder.text("a.png");
   CHECK((png.empty() || png.substr(1, 3) == "PNG"));
+}
+
+TEST_CASE("[reject] without the program for PNG it is said what to install") {
+  const TemporaryFolder folder;
+  folder.write("a.png", "as it was");
+  const char* const before = std::getenv("PATH");
+  const std::string path = before == nullptr ? "" : before;
+  ::setenv("PATH", folder.path("").c_str(), 1);
+  const Ended ended = draw(folder, {"surface", "-o", "a.png"});
+  ::setenv("PATH", path.c_str(), 1);
+  CHECK(ended.code == 4);
+  CHECK(ended.errors ==
+        "patchproof: cannot write 'a.png': there is no program rsvg-convert\n"
+        "  = help: install the package librsvg2-bin, or write *.svg\n");
+  CHECK(folder.text("a.png") == "as it was");
 }
 
 TEST_CASE("the label of a refuted equation draws how far it is off") {
@@ -118,7 +130,7 @@ TEST_CASE("[reject] assumptions without an example, and a missing or faulty case
         "patchproof draw: no example was found that satisfies the assumptions of case 'none'\n");
   const Ended missing = run_program(folder, {"draw", "gone.proof", "C", "-o", "a.svg"});
   CHECK(missing.code == 4);
-  CHECK(missing.errors == "gone.proof: error: cannot be read: No such file or directory\n");
+  CHECK(missing.errors == "patchproof: cannot read 'gone.proof': No such file or directory\n");
   folder.write("bad.proof", "case bad\n  scalar\nend\n");
   CHECK(run_program(folder, {"draw", "bad.proof", "C", "-o", "a.svg"}).code == 4);
 }

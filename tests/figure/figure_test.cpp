@@ -41,6 +41,18 @@ std::size_t count(const std::string& text, const std::string& part) {
   return result;
 }
 
+// Angles may have to be cut finer, and all be worked out again.
+Point sample(const CaseResult& result, const std::string& name,
+             const std::vector<Rational>& place) {
+  Budget budget{Limits{}};
+  Workspace workspace{budget};
+  for (;;) try {
+      return Studio{result, {name}, workspace}.subjects().front().at(place);
+    } catch (const FinerAngles&) {
+      continue;
+    }
+}
+
 const std::string bezier = "  point V[0..3, 0..3]\n  patch b(u, v) = bezier(V)\n";
 const std::string coons =
     "  curve C1(u), C2(u), D1(v), D2(v) : C^1\n"
@@ -67,10 +79,7 @@ TEST_CASE("[law] samples of a patch are its exact values") {
 
 TEST_CASE("[law] samples of elementary functions are within 2^-40") {
   const CaseResult result = result_of("  patch p(u, v) = (sin(pi*u/2), sqrt(1 + v), exp(u - v))\n");
-  Budget budget{Limits{}};
-  Workspace workspace{budget};
-  const Studio studio{result, {"p"}, workspace};
-  const Point at = studio.subjects()[0].at({Rational{1, 3}, Rational{7, 9}});
+  const Point at = sample(result, "p", {Rational{1, 3}, Rational{7, 9}});
   const auto is_near = [](const Rational& x, const Rational& y) {
     return abs(x - y) <= Rational{1, Integer{1} << 40};
   };
@@ -220,6 +229,8 @@ TEST_CASE("a refuted equation is drawn by arrows from its left to its right side
       figure_of("  curve C(u) = (u, u^2)\n  refute line: C(u) == (u, u)\n", {"line"});
   const std::vector<Arrow> arrows = all<Arrow>(figure);
   CHECK(arrows.size() == 9);
+  CHECK(tikz(figure, latex_labels({})).rfind("% left side: thin lines; right side: orange\n", 0) ==
+        0);
   for (const Arrow& arrow : arrows) CHECK(arrow.from.x == arrow.to.x);
   CHECK(figure.notes == std::vector<std::string>{"left side: thin lines; right side: orange"});
 }

@@ -271,7 +271,12 @@ std::vector<Subject> Studio::named_curves() {
   for (const Declaration& d : case_.declarations)
     if (d.keyword == "curve" && is_drawable(d) && d.term.type().inner->is_point() &&
         (d.instance == instance_ || d.instance.empty()) && d.term.type().inner->dimension <= 3)
-      result.push_back(subject(d.name, d.term));
+      try {
+        result.push_back(subject(d.name, d.term));
+      } catch (const OutsideTheory&) {
+      } catch (const std::domain_error&) {
+        // A curve without value that is not to be drawn has no label either.
+      }
   return result;
 }
 

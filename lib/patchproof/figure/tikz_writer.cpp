@@ -88,7 +88,9 @@ std::string tikz(const Figure& figure, const LabelText& label_text) {
   std::set<Ink> used;
   for (const Shape& shape : figure.shapes)
     if (!std::holds_alternative<Label>(shape)) used.insert(ink_of(shape));
-  std::string text =
+  std::string text;
+  for (const std::string& note : figure.notes) text += "% " + note + "\n";
+  text +=
       "\\begin{tikzpicture}[x=1mm,y=1mm,line width=0.12mm,line cap=round,line join=round,\n"
       "  inner sep=0.8mm,>=stealth]\n";
   for (const Ink ink : used) {
