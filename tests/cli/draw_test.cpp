@@ -45,7 +45,7 @@ TEST_CASE("draw writes SVG, TikZ and PNG by the ending of the file, and ends wit
     CHECK(ended.output + ended.errors == "");
   }
   CHECK(folder.text("a.svg").rfind("<svg xmlns=", 0) == 0);
-  CHECK(folder.text("a.tikz").rfind("\\begin{tikzpicture}", 0) == 0);
+  CHECK(folder.text("a.tikz").rfind("% example values: V\n\\begin{tikzpicture}[", 0) == 0);
   CHECK(folder.text("a.tikz") == folder.text("a.tex"));
   const std::string png = folder.text("a.png");
   CHECK((png.empty() || png.substr(1, 3) == "PNG"));
