@@ -62,7 +62,8 @@ Place Scene::place(const Point& point) const {
   return {seen[0], seen[1]};
 }
 
-void Scene::add_facet(const std::vector<Point>& corners, Ink ink, int strength) {
+void Scene::add_facet(const std::vector<Point>& corners, Ink ink, int strength,
+                      const Rational& lift) {
   Polygon polygon{{}, ink, strength};
   Rational depth = 0;
   for (const Point& corner : corners) {
@@ -70,8 +71,8 @@ void Scene::add_facet(const std::vector<Point>& corners, Ink ink, int strength) 
     polygon.corners.push_back({seen[0], seen[1]});
     depth += seen[2];
   }
-  items_.push_back(
-      {hidden_if_behind, Rational{depth / static_cast<long>(corners.size())}, std::move(polygon)});
+  items_.push_back({hidden_if_behind, Rational{depth / static_cast<long>(corners.size()) + lift},
+                    std::move(polygon)});
 }
 
 void Scene::add_segment(const Point& from, const Point& to, Ink ink, const Rational& lift) {

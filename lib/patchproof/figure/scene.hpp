@@ -15,10 +15,11 @@ class Scene {
 
   const Projection& projection() const { return projection_; }
 
-  /// A small polygon.
-  void add_facet(const std::vector<Point>& corners, Ink ink, int strength);
-  /// A short segment on a surface or beside it: `lift` is how much nearer it counts than it is, so
-  /// that the facets it lies on do not hide it.
+  /// A small polygon. `lift` is how much nearer it counts than it is.
+  void add_facet(const std::vector<Point>& corners, Ink ink, int strength,
+                 const Rational& lift = 0);
+  /// A short segment on a surface or beside it, lifted so that the facets it lies on do not hide
+  /// it.
   void add_segment(const Point& from, const Point& to, Ink ink, const Rational& lift);
   /// The rest is never hidden.
   void add_line(const std::vector<Point>& places, Ink ink);

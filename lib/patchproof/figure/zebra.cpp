@@ -1,6 +1,8 @@
 // Zebra stripes: the patch reflects a ceiling of parallel dark and light strips. With the unit
 // normal N = n/|n| and the direction d towards the viewer, the ray there comes from
 // 2(d.N)N - d, so that its part in a fixed direction needs no root and is exact.
+#include <algorithm>
+
 #include <patchproof/figure/surface_parts.hpp>
 
 namespace patchproof {
@@ -69,19 +71,21 @@ class Zebra {
   Point across_;
 };
 
-void add_triangle(const std::vector<Corner>& corners, Scene& scene) {
-  Rational low = corners[0].strip;
-  Rational high = low;
-  for (const Corner& corner : corners) {
-    low = std::min(low, corner.strip);
-    high = std::max(high, corner.strip);
-  }
-  for (long k = floor_of(low); Rational{k} < high || k == floor_of(low); ++k) {
-    const std::vector<Corner> strip = cut(cut(corners, k, 1), k + 1, -1);
-    if (strip.size() < 3) continue;
+// Light all over, and the dark strips above that: so all edges of strips are those of dark ones.
+void add_triangle(const std::vector<Corner>& corners, const Rational& lift, Scene& scene) {
+  const auto points_of = [](const std::vector<Corner>& polygon) {
     std::vector<Point> points;
-    for (const Corner& corner : strip) points.push_back(corner.point);
-    scene.add_facet(points, Ink::stripe, k % 2 == 0 ? 95 : 10);
+    for (const Corner& corner : polygon) points.push_back(corner.point);
+    return points;
+  };
+  scene.add_facet(points_of(corners), Ink::stripe, 10);
+  const auto [low, high] =
+      std::minmax_element(corners.begin(), corners.end(),
+                          [](const Corner& a, const Corner& b) { return a.strip < b.strip; });
+  for (long k = floor_of(low->strip); Rational{k} <= high->strip; ++k) {
+    if (k % 2 != 0) continue;
+    const std::vector<Corner> strip = cut(cut(corners, k, 1), k + 1, -1);
+    if (strip.size() >= 3) scene.add_facet(points_of(strip), Ink::stripe, 95, lift);
   }
 }
 
@@ -89,6 +93,7 @@ void add_triangle(const std::vector<Corner>& corners, Scene& scene) {
 
 void add_zebra(const Subject& patch, const Grid& grid, Scene& scene) {
   const Zebra zebra{patch, scene};
+  const Rational lift = lift_over(grid, scene.projection());
   const auto count = static_cast<long>(grid.cells);
   std::vector<Corner> corners;
   for (long i = 0; i <= count; ++i)
@@ -98,8 +103,8 @@ void add_zebra(const Subject& patch, const Grid& grid, Scene& scene) {
   const auto at = [&](std::size_t i, std::size_t j) { return corners[i * (grid.cells + 1) + j]; };
   for (std::size_t i = 0; i < grid.cells; ++i)
     for (std::size_t j = 0; j < grid.cells; ++j) {
-      add_triangle({at(i, j), at(i + 1, j), at(i + 1, j + 1)}, scene);
-      add_triangle({at(i, j), at(i + 1, j + 1), at(i, j + 1)}, scene);
+      add_triangle({at(i, j), at(i + 1, j), at(i + 1, j + 1)}, lift, scene);
+      add_triangle({at(i, j), at(i + 1, j + 1), at(i, j + 1)}, lift, scene);
     }
 }
 
