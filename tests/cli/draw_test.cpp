@@ -89,6 +89,43 @@ TEST_CASE("[reject] what cannot be drawn is said, with 64") {
         "parameters\n");
 }
 
+TEST_CASE("[reject] what has no value is not drawn") {
+  const TemporaryFolder folder;
+  folder.write("case.proof",
+               "case a\n  param u, v, w, t in [0, 1]\n"
+               "  volume F(u, v, w) = (u, v, w)\n"
+               "  patch zero(u, v) = (u, v, 1/(u-u))\n"
+               "  patch pole(u, v) = (u, v, 1/(2*u-1))\n"
+               "  patch root(u, v) = (u, v, sqrt(u-v))\n"
+               "  patch moving(u, v) = (u, v, t)\nend\n");
+  const auto complaint_about = [&](const std::string& name) {
+    const Ended ended = run_program(folder, {"draw", "case.proof", name, "-o", "a.svg"});
+    CHECK(ended.code == 64);
+    return ended.errors;
+  };
+  CHECK(complaint_about("F") ==
+        "patchproof draw: 'F' is a volume(u, v, w), which is not drawn\n"
+        "  = help: curves, patches and scalar functions of one or two parameters are\n");
+  CHECK(complaint_about("zero") == "patchproof draw: cannot draw 'zero': division by zero\n");
+  const std::string some = "it has no value at some of its places\n";
+  CHECK(complaint_about("pole") == "patchproof draw: cannot draw 'pole': " + some);
+  CHECK(complaint_about("root") == "patchproof draw: cannot draw 'root': " + some);
+  CHECK(complaint_about("moving") ==
+        "patchproof draw: cannot draw 'moving': nothing is known of t\n");
+}
+
+TEST_CASE("[reject] two sides that agree in the example have no deviation to be drawn") {
+  const TemporaryFolder folder;
+  folder.write("case.proof",
+               "case a\n  param u in [0, 1]\n  scalar a\n"
+               "  refute line: (u, a*(2*a-1)) == (u, 0)\nend\n");
+  const Ended ended = run_program(folder, {"draw", "case.proof", "line", "-o", "a.svg"});
+  CHECK(ended.code == 64);
+  CHECK(ended.errors ==
+        "patchproof draw: the two sides agree in the example that would be drawn\n"
+        "  = help: give the case numbers for which they differ\n");
+}
+
 TEST_CASE("[reject] a file of another kind, and angles and sizes that are none") {
   const std::string help = "  = help: 'patchproof draw --help' shows what can be said\n";
   CHECK(complaint({"surface", "-o", "a.pdf"}) ==

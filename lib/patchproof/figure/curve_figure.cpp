@@ -46,7 +46,7 @@ Figure curve_figure(Studio& studio, const FigureOptions& options) {
   const bool flat =
       std::all_of(subjects.begin(), subjects.end(), [](const Subject& s) { return s.is_plane; });
   Scene scene{flat ? Projection::flat() : Projection{options.view}};
-  const auto count = static_cast<long>(options.cells) * 3;
+  const auto count = static_cast<long>(options.cells) * 8;
   std::vector<std::vector<Point>> graphs;
   for (std::size_t number = 0; number < subjects.size(); ++number) {
     const Subject& subject = subjects[number];

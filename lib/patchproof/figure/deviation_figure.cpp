@@ -43,9 +43,9 @@ Figure deviation_figure(Studio& studio, const FigureOptions& options) {
   } else {
     std::vector<Point> first;
     std::vector<Point> second;
-    for (long k = 0; k <= 3 * count; ++k) {
-      first.push_back(left.at({Rational{k, 3 * count}}));
-      second.push_back(right.at({Rational{k, 3 * count}}));
+    for (long k = 0; k <= 8 * count; ++k) {
+      first.push_back(left.at({Rational{k, 8 * count}}));
+      second.push_back(right.at({Rational{k, 8 * count}}));
     }
     scene.add_line(first, Ink::boundary);
     scene.add_line(second, Ink::other_curve);

@@ -57,7 +57,7 @@ Figure surface_figure(Studio& studio, const FigureOptions& options) {
   for (const Subject& subject : subjects) {
     if (!subject.is_surface()) {
       Line line;
-      const auto count = static_cast<long>(options.cells) * 2;
+      const auto count = static_cast<long>(options.cells) * 8;
       for (long k = 0; k <= count; ++k) line.push_back(subject.at({Rational{k, count}}));
       scene.add_line(line, Ink::other_curve);
       continue;
