@@ -14,8 +14,8 @@ using Tree = std::vector<SourceFile>;
 using Breaches = std::vector<std::string>;
 
 /// Includes in lib/ go down the layers and never up:
-/// algebra < term < kernel, symbolic < decide < claims < language < report < patchproof.hpp,
-/// where kernel and symbolic do not know each other. They are written <patchproof/layer/file.hpp>.
+/// algebra < term < kernel, symbolic < decide < claims < language < repair, figure < report < patchproof.hpp,
+/// where kernel and symbolic, repair and figure do not know each other. They are written <patchproof/layer/file.hpp>.
 Breaches upward_includes(const Tree& tree);
 
 /// Each foreign library has one door, so that it can be judged and replaced in one place:
