@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <memory>
 
+#include <patchproof/latex/case_figure.hpp>
 #include <patchproof/latex/document.hpp>
 #include <patchproof/latex/freshness.hpp>
 #include <patchproof/latex/style_file.hpp>
@@ -35,6 +36,7 @@ struct LatexArguments {
   std::string pdf_seconds = "600";
   bool fragment = false;
   bool pdf = false;
+  bool no_figures = false;
 };
 
 DocumentOptions document_options(const LatexArguments& arguments) {
@@ -51,6 +53,7 @@ DocumentOptions document_options(const LatexArguments& arguments) {
     throw UsageError{"--detail: '" + arguments.detail + "' is none of 1, 2, 3"};
   options.detail = static_cast<Detail>(arguments.detail.front() - '0');
   options.fragment = arguments.fragment;
+  options.figures = !arguments.no_figures;
   return options;
 }
 
@@ -99,7 +102,9 @@ std::vector<Page> pages_of(const Report& report, const CheckOptions& check,
   for (const FileReport& file : report.files)
     for (const CaseResult& result : file.cases) {
       if (result.claims.empty()) continue;
-      Page page{result, case_derivation(result, options.detail, check.engines), {}, ""};
+      Page page{result, case_derivation(result, options.detail, check.engines), "", ""};
+      if (options.figures)
+        page.figure = case_figure(result, {page.derivation.names, options.language});
       page.digest =
           case_digest(result.verified.span.source, result.verified.name, check.load, options)
               .value_or("");
@@ -201,6 +206,7 @@ void declare(CLI::App& command, LatexArguments& a) {
          "instances",
          "N");
   command.add_flag("--fragment", a.fragment, "Bodies only, for \\input into a document of yours");
+  command.add_flag("--no-figures", a.no_figures, "Without pictures of patches");
   CLI::Option* pdf = command.add_flag("--pdf", a.pdf, "Make the PDF too, by latexmk and LuaLaTeX");
   pdf->excludes("--fragment");
   option("--pdf-time", a.pdf_seconds, "Time for LaTeX, in seconds; usual are 600", "N")

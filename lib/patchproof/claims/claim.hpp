@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -126,6 +127,8 @@ struct Case {
   Span span;
   /// In the order written; splines and functionals, which are no terms, are left out.
   std::vector<Declaration> declarations;
+  /// The names of patches, curves or volumes whose joints are spoken of, two by two.
+  std::vector<std::pair<std::string, std::string>> joined;
   /// Those of the first instance of a family.
   std::vector<WrittenAssumption> assumptions;
   std::vector<Claim> claims;

@@ -173,8 +173,10 @@ Case elaborated(const syntax::Case& written, const Library& library, const Limit
       elaborator.declare_number(name.text, value, name.span);
     for (const WrittenStatement& statement : written.statements)
       if (has_meaning(statement.kind)) elaborator.statement(statement, result);
-    if (&instance == &instances.front())
+    if (&instance == &instances.front()) {
       check_notated_names(written, elaborator.scope(), library, diagnostics);
+      result.joined = elaborator.joined();
+    }
     // One faulty instance is enough: the others would repeat its messages.
     if (diagnostics.size() > before) break;
   }

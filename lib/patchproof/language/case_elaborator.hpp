@@ -43,6 +43,8 @@ class CaseElaborator {
   void statement(const syntax::Statement& statement, Case& result);
   /// What is declared so far.
   const Scope& scope() const { return scope_; }
+  /// The names in joints so far, two by two.
+  const std::vector<std::pair<std::string, std::string>>& joined() const { return joined_; }
 
  private:
   // declarations (case_declarations.cpp)
@@ -102,6 +104,7 @@ class CaseElaborator {
   std::vector<Assumption> assumptions_;
   std::set<unsigned> holes_;
   std::set<std::string> derivations_;
+  std::vector<std::pair<std::string, std::string>> joined_;
 };
 
 }  // namespace patchproof

@@ -146,6 +146,7 @@ void CaseElaborator::add_joint(const syntax::Joint& joint, const Scope& scope, G
   if (joint.geometric && question.first.function.type().parameters.size() > 2)
     throw Fault{joint.span, "a G^k joint is one of curves or patches, not of volumes",
                 "'C^k joint' goes with volumes too"};
+  joined_.emplace_back(joint.first.patch.text, joint.second.patch.text);
   goal.ranges = question.given.ranges;
   const std::vector<Statement> statements =
       joint.geometric

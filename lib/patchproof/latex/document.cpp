@@ -44,7 +44,7 @@ std::string body(const Page& page, const DocumentOptions& options) {
   if (!definitions.empty())
     text += "\\ppheading{" + wording(Word::definitions) + "}\n" + definitions;
   text += assumptions_text(given, wording);
-  for (const std::string& figure : page.figures) text += "\\ppfigure{" + figure + "}\n";
+  text += page.figure;
   std::string erratum;
   for (const ClaimDerivation& item : page.derivation.claims) {
     const ClaimResult& result = page.result.claims.at(item.claim);

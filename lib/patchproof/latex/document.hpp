@@ -14,14 +14,16 @@ struct DocumentOptions {
   Detail detail = Detail::steps;
   /// Bodies only, to be read by \input into a document that uses the style file.
   bool fragment = false;
+  /// With a picture of each case that has something to be drawn.
+  bool figures = true;
 };
 
 /// A case with all that its page shows.
 struct Page {
   CaseResult result;
   CaseDerivation derivation;
-  /// TikZ pictures, as LaTeX.
-  std::vector<std::string> figures;
+  /// As `case_figure` says; "" for none.
+  std::string figure;
   /// What the page depends on, as `case_digest` says.
   std::string digest;
 };

@@ -26,7 +26,8 @@ std::string digest(const std::vector<std::string>& parts) {
 
 std::string options_text(const DocumentOptions& options) {
   return "--lang " + code_of(options.language) + " --detail " +
-         std::to_string(static_cast<int>(options.detail)) + (options.fragment ? " --fragment" : "");
+         std::to_string(static_cast<int>(options.detail)) + (options.fragment ? " --fragment" : "") +
+         (options.figures ? "" : " --no-figures");
 }
 
 std::string text_of(const Span& span) {
@@ -45,6 +46,7 @@ DocumentOptions options_of(std::istringstream words) {
   for (std::string word; words >> word;) {
     std::string value;
     if (word == "--fragment") options.fragment = true;
+    if (word == "--no-figures") options.figures = false;
     if (word == "--lang" && words >> value)
       options.language = language_of(value).value_or(Language::english);
     if (word == "--detail" && words >> value && value.size() == 1 && value >= "1" && value <= "3")

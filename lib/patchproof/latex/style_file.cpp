@@ -10,6 +10,7 @@ std::string_view style_file() {
 \RequirePackage{amssymb}
 \RequirePackage{graphicx}
 \RequirePackage{xcolor}
+\RequirePackage{tikz}
 \RequirePackage[no-math]{fontspec}
 
 \ifdefined\ppbook
@@ -186,8 +187,9 @@ std::string_view style_file() {
   \begin{lrbox}{\pp@result}\begin{tabular}{@{}#1@{}}}%
   {\end{tabular}\end{lrbox}\pp@fit\pp@result\linewidth\box\pp@result\par}
 
-\newcommand\ppfigure[1]{\par\medskip\noindent\hbox to\linewidth{\hfil\setbox\pp@box\hbox{#1}%
-  \pp@fit\pp@box\linewidth\box\pp@box\hfil}\par\medskip}
+\newcommand\ppfigure[2]{\par\medskip\noindent\hbox to\linewidth{\hfil\setbox\pp@box\hbox{#1}%
+  \pp@fit\pp@box\linewidth\box\pp@box\hfil}\par\nobreak
+  {\centering\footnotesize #2\par}\medskip}
 \endinput
 )sty";
 }

@@ -33,6 +33,7 @@ enum class Word {
   source,
   section,
   page,
+  example_values,
   by_machine,
   // what is given: one, and several
   point,
