@@ -4,6 +4,7 @@
 #include <set>
 
 #include <patchproof/derivation/claim_derivation.hpp>
+#include <patchproof/derivation/shapes.hpp>
 
 namespace patchproof {
 
@@ -27,7 +28,13 @@ Derivation definitions_of(const Case& given, Computation& computation) {
   for (const Declaration& declaration : given.declarations) {
     const Term& term = declaration.term;
     const bool fresh = seen.insert(declaration.name).second;
-    if (!fresh || !term.type().is_function() || term.operation() != Operation::lambda) continue;
+    if (!fresh || term.children().empty() || is_array(term)) continue;
+    if (!term.type().is_function()) {
+      if (computation.is_readable(term))
+        passage.chains.push_back({term, {{Relation::equal, without_name(term), {}}}});
+      continue;
+    }
+    if (term.operation() != Operation::lambda) continue;
     std::vector<Term> children{term};
     for (const SymbolPointer& formal : term.formals()) children.push_back(symbol_term(formal));
     const Term value = make_term(Operation::apply, *term.type().inner, std::move(children));

@@ -25,6 +25,21 @@ bool is_zero_term(const Term& term) {
   return std::all_of(term.children().begin(), term.children().end(), is_zero_term);
 }
 
+bool is_array(const Term& term) {
+  return term.operation() == Operation::matrix &&
+         std::all_of(term.children().begin(), term.children().end(), [](const Term& entry) {
+           return entry.operation() == Operation::symbol;
+         });
+}
+
+Term without_name(const Term& term) {
+  std::vector<Term> children = term.children();
+  const Term& first = children.front();
+  children.front() =
+      make_term(first.operation(), first.type(), first.children(), first->payload, first.span());
+  return make_term(term.operation(), term.type(), std::move(children), term->payload, term.span());
+}
+
 Term derivative_of(const Term& function, const Indices& orders) {
   if (std::all_of(orders.begin(), orders.end(), [](int n) { return n == 0; })) return function;
   if (function.operation() != Operation::derivative)

@@ -13,6 +13,12 @@ bool is_zero_term(const Term& term);
 
 bool is_number(const Term& term, const Rational& number);
 
+/// Whether the term is an array of symbols, which has a name but stands for nothing else.
+bool is_array(const Term& term);
+
+/// The same value, made of nodes that a name given to the term does not belong to. It has children.
+Term without_name(const Term& term);
+
 /// The derivative of a function; of a derivative the one of the orders together.
 Term derivative_of(const Term& function, const Indices& orders);
 

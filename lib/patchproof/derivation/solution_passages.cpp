@@ -69,7 +69,8 @@ std::vector<Passage> solution_passages(const DeriveClaim& claim, const Decision&
     }
     for (const Chain& side : {left, right})
       if (!side.links.empty()) sides.chains.push_back(side);
-    add_conditions(left, right, computation, conditions.chains);
+    // Equations that are not worked out stand in the statement already.
+    if (few) add_conditions(left, right, computation, conditions.chains);
   }
   std::vector<Passage> passages{sides, conditions};
   if (!solved) return passages;

@@ -14,14 +14,6 @@ namespace {
 // Thrown where a derivative has no rule.
 struct NoRule {};
 
-// Arrays of symbols have names too, but stand for nothing else.
-bool is_array(const Term& term) {
-  return term.operation() == Operation::matrix &&
-         std::all_of(term.children().begin(), term.children().end(), [](const Term& entry) {
-           return entry.operation() == Operation::symbol;
-         });
-}
-
 bool is_named(const Term& term, const LatexNames& names) {
   return names.name_of(term) != nullptr && !is_array(term);
 }
@@ -58,7 +50,7 @@ class Layer {
       if (term.type().is_function() || depths_.depth(term) != depth_) return term;
       result.names.push_back(*names_.name_of(term));
       result.only_renamed = false;
-      return unnamed(term);
+      return without_name(term);
     }
     return rebuilt(term);
   }
@@ -66,16 +58,6 @@ class Layer {
   Unfolded result;
 
  private:
-  // The same value, but of nodes that the name does not belong to.
-  static Term unnamed(const Term& term) {
-    std::vector<Term> children = term.children();
-    const Term& first = children.front();
-    children.front() =
-        make_term(first.operation(), first.type(), first.children(), first->payload, first.span());
-    return make_term(term.operation(), term.type(), std::move(children), term->payload,
-                     term.span());
-  }
-
   Term rebuilt(const Term& term) {
     std::vector<Term> children;
     bool changed = false;

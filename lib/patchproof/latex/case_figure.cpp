@@ -20,8 +20,10 @@ std::vector<std::vector<std::string>> candidates(const Case& given) {
     if (first != second) result.push_back({first, second});
     break;
   }
-  for (const Declaration& declaration : given.declarations)
-    if (is_patch(declaration)) result.push_back({declaration.name});
+  // What is defined last is made of what is defined before, and what the case is about.
+  for (auto declaration = given.declarations.rbegin(); declaration != given.declarations.rend();
+       ++declaration)
+    if (is_patch(*declaration)) result.push_back({declaration->name});
   return result;
 }
 

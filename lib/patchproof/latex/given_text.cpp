@@ -70,7 +70,7 @@ std::string array_text(const std::string& name, const Term& array, const Wording
 std::string space_text(const Type& type) {
   const Type& value = type.is_function() || type.is_matrix() ? *type.inner : type;
   if (!value.is_point() || value.dimension == Type::any_dimension) return "";
-  return " \\in \\mathbf{R}^{" + std::to_string(value.dimension) + "}";
+  return "\\mathbf{R}^{" + std::to_string(value.dimension) + "}";
 }
 
 std::string entry_text(const Case& given, const Declaration& declaration, const Wording& wording) {
@@ -87,9 +87,14 @@ std::string entry_text(const Case& given, const Declaration& declaration, const 
   if (term.operation() != Operation::symbol)
     return "$" + latex_name(declaration.name, wording.names.notation).text() + "$";
   const Symbol& symbol = *term.symbol();
-  std::string text = symbol_text(symbol, wording) + space_text(term.type());
-  if (symbol.role == Symbol::Role::function && symbol.smoothness > 0)
-    text += " \\in C^{" + std::to_string(symbol.smoothness) + "}";
+  std::string text = symbol_text(symbol, wording);
+  const std::string space = space_text(term.type());
+  const bool smooth = symbol.role == Symbol::Role::function && symbol.smoothness > 0;
+  if (smooth)
+    text += " \\in C^{" + std::to_string(symbol.smoothness) + "}" +
+            (space.empty() ? "" : "(" + space + ")");
+  else if (!space.empty())
+    text += " \\in " + space;
   if (declaration.keyword == "param")
     if (const ParameterRange* range = range_of(given, symbol))
       text += " \\in [" + to_latex(range->lower, wording.names) + "," +

@@ -47,7 +47,7 @@ std::string_view style_file() {
 
 % ---- headings and text ----
 \newcommand\ppcase[3]{% title, name, sources
-  \par\ifdefined\ppbook\section[#1]{\raggedright #1}\else\section*{\raggedright #1}\fi
+  \par\ifdefined\ppbook\section[{#1}]{\raggedright #1}\else\section*{\raggedright #1}\fi
   {\parindent0pt\raggedright\small\texttt{#2}\par #3\par}}
 \newcommand\ppsource[1]{\textcolor{ppquiet}{#1}\par}
 \newcommand\ppquote[1]{\par{\small\begin{quote}\itshape #1\end{quote}}}

@@ -97,7 +97,10 @@ std::string refutation_text(const Decision& decision, const RefutationParts& par
     text += paragraph("\\textbf{" + wording(Word::counterexample) + ":} " +
                       witness_values(decision.witness, wording));
   if (parts.sides) text += sides_text(decision.witness, wording);
-  if (parts.difference && !decision.residual.empty())
+  // What does not fit into a few lines says nothing to a reader.
+  constexpr std::size_t longest_difference = 250;
+  if (parts.difference && !decision.residual.empty() &&
+      decision.residual.size() <= longest_difference)
     text += side(Word::difference, decision.residual, wording);
   if (!decision.reason.empty()) text += paragraph(prose(decision.reason));
   return text;

@@ -32,8 +32,8 @@ enum class Word {
   total,
   source,
   section,
-  page,
   example_values,
+  page,
   by_machine,
   // what is given: one, and several
   point,
