@@ -154,7 +154,8 @@ std::vector<Passage> identity_passages(const IdentityClaim& claim, const Decisio
   }
   if (!holds(decision)) return passages;
   Passage passage{Passage::Kind::computation, {}, {}, without_statements(claim.goal, known)};
-  Reason reason;
+  // Where nothing else is used, the last link is a calculation.
+  Reason reason{Reason::Kind::collected, {}};
   if (!decision.assumptions_used.empty())
     reason = {Reason::Kind::assumption, decision.assumptions_used};
   else if (!uses.empty())

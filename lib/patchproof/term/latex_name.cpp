@@ -79,7 +79,9 @@ LatexName parted(const std::string& notation) {
 
 std::string LatexName::text() const {
   if (index.empty()) return letters;
-  return letters + "_" + (index.size() == 1 ? index : "{" + index + "}");
+  // TeX takes one subscript: that of a notation goes into braces.
+  const std::string base = letters.find('_') == std::string::npos ? letters : "{" + letters + "}";
+  return base + "_" + (index.size() == 1 ? index : "{" + index + "}");
 }
 
 LatexName latex_name(const std::string& name, const Notation& notation) {

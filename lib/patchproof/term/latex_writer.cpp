@@ -108,7 +108,8 @@ std::string LatexWriter::unnamed(const Term& term) {
     case Operation::matrix_product: return product(term);
     case Operation::quotient: return quotient(term);
     case Operation::power:
-      return within(term.child(0), Binding::primary) + "^{" + std::to_string(term.exponent()) + "}";
+      return latex_base(within(term.child(0), Binding::primary)) + "^{" +
+             std::to_string(term.exponent()) + "}";
     case Operation::sine: return "\\sin" + elementary_argument(term.child(0));
     case Operation::cosine: return "\\cos" + elementary_argument(term.child(0));
     case Operation::exponential: return "e^{" + of(term.child(0)) + "}";
@@ -120,7 +121,7 @@ std::string LatexWriter::unnamed(const Term& term) {
     case Operation::entry:
       return is_single(term.child(0)) ? of(term.child(0)) : index(term.child(0), term.indices());
     case Operation::slice: return slice(term);
-    case Operation::transpose: return within(term.child(0), Binding::primary) + "^{\\mathsf{T}}";
+    case Operation::transpose: return latex_base(within(term.child(0), Binding::primary)) + "^{\\mathsf{T}}";
     case Operation::determinant: return determinant(term);
     case Operation::dot: return infix(term, "\\cdot");
     case Operation::cross: return infix(term, "\\times");
@@ -198,6 +199,11 @@ std::string LatexWriter::infix(const Term& term, const std::string& sign) {
     return infix_too ? latex_bracketed(of(t)) : within(t, Binding::product);
   };
   return side(term.child(0)) + " " + sign + " " + side(term.child(1));
+}
+
+std::string latex_base(const std::string& text) {
+  const bool has_superscript = text.find_first_of("^'") != std::string::npos;
+  return has_superscript && text.back() != ')' ? "{" + text + "}" : text;
 }
 
 }  // namespace patchproof

@@ -40,6 +40,7 @@ class LatexWriter {
   static Term at_arguments(const Term& term);
   std::string apply(const Term& term);
   std::string derivative(const Term& term);
+  std::string parameter_text(const std::string& name) const;
   std::string derivative_fraction(const Term& base, const Indices& orders, int total);
   std::optional<LatexName> symbol_name(const Term& term) const;
   std::string component(const Term& term);
@@ -57,5 +58,8 @@ class LatexWriter {
 
 /// In brackets, which grow with what is tall.
 std::string latex_bracketed(const std::string& text);
+
+/// What a superscript can be put on: in braces where it has one already.
+std::string latex_base(const std::string& text);
 
 }  // namespace patchproof

@@ -37,16 +37,20 @@ std::string LatexWriter::derivative(const Term& term) {
   const std::optional<LatexName> name = symbol_name(*base);
   const std::string plain = name ? name->text() : latex_bracketed(of(*base));
   if (orders.size() == 1) {
-    if (total <= 3) return plain + std::string(static_cast<std::size_t>(total), '\'');
-    return plain + "^{(" + std::to_string(total) + ")}";
+    if (total <= 3) return latex_base(plain) + std::string(static_cast<std::size_t>(total), '\'');
+    return latex_base(plain) + "^{(" + std::to_string(total) + ")}";
   }
   std::string letters;
   for (std::size_t i = 0; i < orders.size(); ++i)
-    for (int k = 0; k < orders[i]; ++k) letters += parameters.at(i);
+    for (int k = 0; k < orders[i]; ++k) letters += parameter_text(parameters.at(i));
   if (names_.notation.derivatives == DerivativeStyle::superscript)
-    return plain + "^{" + letters + "}";
+    return latex_base(plain) + "^{" + letters + "}";
   if (name && !name->index.empty()) return "(" + plain + ")_{" + letters + "}";
   return plain + "_{" + letters + "}";
+}
+
+std::string LatexWriter::parameter_text(const std::string& name) const {
+  return latex_name(name, names_.notation).text();
 }
 
 std::string LatexWriter::derivative_fraction(const Term& base, const Indices& orders, int total) {
@@ -55,7 +59,8 @@ std::string LatexWriter::derivative_fraction(const Term& base, const Indices& or
   std::string below;
   for (std::size_t i = 0; i < orders.size(); ++i) {
     if (orders[i] == 0) continue;
-    below += (below.empty() ? "" : "\\,") + std::string{d} + " " + base.type().parameters.at(i);
+    below += (below.empty() ? "" : "\\,") + std::string{d} + " " +
+             latex_base(parameter_text(base.type().parameters.at(i)));
     if (orders[i] > 1) below += "^{" + std::to_string(orders[i]) + "}";
   }
   return "\\frac{" + std::string{d} + power + " " + within(base, Binding::primary) + "}{" + below + "}";
@@ -141,7 +146,7 @@ std::string LatexWriter::integral(const Term& term) {
     const std::string sign = "\\int_{" + of(term.child(2 * k + 1)) + "}^{" +
                              of(term.child(2 * k + 2)) + "}";
     signs = sign + (signs.empty() ? "" : "\\!") + signs;
-    differentials += "\\,\\mathrm{d}" + parameters[k];
+    differentials += "\\,\\mathrm{d}" + parameter_text(parameters[k]);
   }
   return signs + " " + within(term.child(0), Binding::product) + differentials;
 }
