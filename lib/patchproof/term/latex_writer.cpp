@@ -206,4 +206,9 @@ std::string latex_base(const std::string& text) {
   return has_superscript && text.back() != ')' ? "{" + text + "}" : text;
 }
 
+std::string latex_subscript(const std::string& text, const std::string& index) {
+  const bool has_subscript = text.find('_') != std::string::npos && text.back() != ')';
+  return (has_subscript ? "{" + text + "}" : text) + "_{" + index + "}";
+}
+
 }  // namespace patchproof

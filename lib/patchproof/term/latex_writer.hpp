@@ -62,4 +62,7 @@ std::string latex_bracketed(const std::string& text);
 /// What a superscript can be put on: in braces where it has one already.
 std::string latex_base(const std::string& text);
 
+/// The text with an index; in braces where it has one already.
+std::string latex_subscript(const std::string& text, const std::string& index);
+
 }  // namespace patchproof

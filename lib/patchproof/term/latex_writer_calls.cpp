@@ -95,7 +95,13 @@ std::string LatexWriter::index(const Term& matrix, const Indices& indices) {
     entry.index += (entry.index.empty() ? "" : ",") + text;
     return entry.text();
   }
-  return within(matrix, Binding::primary) + "_{" + text + "}";
+  if (matrix.operation() == Operation::slice) {
+    // The entry of a part is one of the whole.
+    Indices whole = indices;
+    for (std::size_t k = 0; k < whole.size(); ++k) whole[k] += matrix.indices().at(2 * k);
+    return index(matrix.child(0), whole);
+  }
+  return latex_subscript(within(matrix, Binding::primary), text);
 }
 
 std::string LatexWriter::slice(const Term& term) {
@@ -108,7 +114,7 @@ std::string LatexWriter::slice(const Term& term) {
     part.index += (part.index.empty() ? "" : ",") + range;
     return part.text();
   }
-  return within(term.child(0), Binding::primary) + "_{" + range + "}";
+  return latex_subscript(within(term.child(0), Binding::primary), range);
 }
 
 std::string LatexWriter::matrix(const Term& term) {
