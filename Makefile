@@ -12,7 +12,7 @@ build         := cmake --build -j $(shell nproc) --preset
 run_tests     := ctest -j $(shell nproc) --preset
 
 .PHONY: help verify program test test-release test-sanitize test-clang test-fuzz \
-        packages test-packages with-tests claims format clean
+        packages test-packages with-tests claims golden format clean
 .DEFAULT_GOAL := help
 # One step after the other under any -j; the steps themselves use all processors.
 .NOTPARALLEL:
@@ -22,6 +22,7 @@ help:
 	@echo 'make test     run every test: plain, with sanitizers, with clang, and a short fuzz run'
 	@echo 'make program  only build $(program)'
 	@echo 'make claims   write docs/claims.md anew: every item of the notes with its verdicts'
+	@echo 'make golden   write the golden documents of tests/golden anew, to be read before they are kept'
 	@echo 'make format   format the sources'
 	@echo 'make clean    delete build/'
 
@@ -68,6 +69,11 @@ with-tests: build/release/build.ninja
 claims: test-packages with-tests
 	@$(build) release
 	@PATCHPROOF_WRITE_CLAIMS=1 build/release/tests/unit_tests '[#docs/claims]'
+
+golden: test-packages with-tests
+	@$(build) release
+	@PATCHPROOF_WRITE_GOLDEN=1 build/release/tests/unit_tests '[#latex/golden]'
+	@PATCHPROOF_WRITE_GOLDEN=1 build/release/tests/unit_tests '[#derivation/walk]'
 
 format:
 	@cmake/install_packages clang-format

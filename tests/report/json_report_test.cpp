@@ -18,7 +18,7 @@ Json document_of(const Report& report) { return Json::parse(written(report, "jso
 
 TEST_CASE("The JSON report has the members the documentation names, in this order") {
   ClaimResult refuted = result_of("one", Expectation::refute, Verdict::refuted, "[i=0]");
-  refuted.decision.witness = {{{"u", "1/2"}, {"v", "0"}}, "1/4", "0", ".x"};
+  refuted.decision.witness = {{{"u", "1/2"}, {"v", "0"}}, {}, "1/4", "0", ".x"};
   refuted.decision.residual = "u^2";
   const Json document = document_of(report_of({refuted}));
   std::vector<std::string> members;

@@ -15,7 +15,7 @@ std::string text_of(const Report& report, Verbosity verbosity = Verbosity::norma
 ClaimResult refuted(const std::string& label) {
   ClaimResult result = result_of(label, Expectation::prove, Verdict::refuted);
   result.decision.residual = "x - y";
-  result.decision.witness = {{{"y", "0"}, {"x", "1"}, {"V", "(0, 0)"}}, "1", "0", ""};
+  result.decision.witness = {{{"y", "0"}, {"x", "1"}, {"V", "(0, 0)"}}, {}, "1", "0", ""};
   return result;
 }
 
