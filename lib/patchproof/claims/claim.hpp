@@ -127,6 +127,8 @@ struct Case {
   Span span;
   /// In the order written; splines and functionals, which are no terms, are left out.
   std::vector<Declaration> declarations;
+  /// Splines and functionals as declared, such as "T = bspline(M, degree 3, clamped uniform)".
+  std::vector<std::string> written;
   /// The names of patches, curves or volumes whose joints are spoken of, two by two.
   std::vector<std::pair<std::string, std::string>> joined;
   /// Those of the first instance of a family.

@@ -30,7 +30,7 @@ Derivation definitions_of(const Case& given, Computation& computation) {
     const bool fresh = seen.insert(declaration.name).second;
     if (!fresh || term.children().empty() || is_array(term)) continue;
     if (!term.type().is_function()) {
-      if (computation.is_readable(term))
+      if (computation.is_brief(term))
         passage.chains.push_back({term, {{Relation::equal, without_name(term), {}}}});
       continue;
     }

@@ -19,8 +19,8 @@ bool is_proof(const Decision& decision) {
 
 class Checker {
  public:
-  Checker(const Goal& given, const Limits& limits, Engines engines)
-      : given_{given}, limits_{limits}, engines_{engines} {}
+  Checker(const Passage& passage, const Limits& limits, Engines engines)
+      : given_{passage.given}, conditions_{passage.conditions}, limits_{limits}, engines_{engines} {}
 
   CheckedChain of(const Chain& chain) const {
     CheckedChain result{chain.start, {}};
@@ -28,7 +28,7 @@ class Checker {
     for (std::size_t k = 0; k < chain.links.size(); ++k) {
       const Link& link = chain.links[k];
       Decision decision = decided_link(before, link);
-      if (!is_proof(decision)) {
+      if (!is_proof(decision) || needs_more(decision)) {
         // An equation left open is skipped; an inequality is the point of its chain.
         if (link.relation == Relation::equal && k + 1 < chain.links.size()) continue;
         return {chain.start, {}};
@@ -53,6 +53,16 @@ class Checker {
     return decision;
   }
 
+  // A step that holds under conditions the claim does not have is not one of its proof.
+  bool needs_more(const Decision& decision) const {
+    if (!conditions_) return false;
+    return std::any_of(decision.conditions.begin(), decision.conditions.end(),
+                       [&](const std::string& condition) {
+                         return std::find(conditions_->begin(), conditions_->end(), condition) ==
+                                conditions_->end();
+                       });
+  }
+
   // Nothing is free in the two sides but what has a value.
   bool are_numbers(const Goal& goal) const {
     for (const auto& [ordinal, symbol] : free_symbols(goal)) {
@@ -72,6 +82,7 @@ class Checker {
   }
 
   const Goal& given_;
+  const std::optional<std::vector<std::string>>& conditions_;
   const Limits& limits_;
   Engines engines_;
 };
@@ -88,7 +99,7 @@ CheckedDerivation::CheckedDerivation(const Derivation& proposed, const Limits& l
                                      Engines engines) {
   for (const Passage& passage : proposed.passages) {
     CheckedPassage checked{passage.kind, {}, passage.values, passage.open};
-    const Checker checker{passage.given, limits, engines};
+    const Checker checker{passage, limits, engines};
     for (const Chain& chain : passage.chains) {
       CheckedChain result =
           passage.open ? undecided(chain) : checker.of(chain);

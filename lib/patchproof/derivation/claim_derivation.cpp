@@ -136,10 +136,11 @@ std::vector<Chain> meeting_chains(const Statement& statement, const Reason& reas
       return {left, right};
     }
   }
-  right.links.push_back({Relation::equal, left.links.empty() ? left.start : left.links.back().term,
-                         reason});
+  const Term& meeting = last_of(left);
+  if (!computation.same(last_of(right), meeting))
+    right.links.push_back({Relation::equal, meeting, reason});
   if (left.links.empty()) return {right};
-  return {left, right};
+  return right.links.empty() ? std::vector<Chain>{left} : std::vector<Chain>{left, right};
 }
 
 std::vector<Passage> identity_passages(const IdentityClaim& claim, const Decision& decision,
@@ -188,7 +189,7 @@ std::vector<Chain> equation_chains(const Statement& statement, const Reason& rea
 Derivation claim_derivation(const ClaimResult& result, const std::vector<KnownValue>& known,
                             Computation& computation) {
   const Decision& decision = result.decision;
-  return {std::visit(
+  Derivation derivation{std::visit(
       [&](const auto& kind) {
         using Kind = std::decay_t<decltype(kind)>;
         if constexpr (std::is_same_v<Kind, IdentityClaim>)
@@ -199,6 +200,9 @@ Derivation claim_derivation(const ClaimResult& result, const std::vector<KnownVa
           return minimum_derivation(kind, decision, known, computation);
       },
       result.claim.kind)};
+  if (holds(decision))
+    for (Passage& passage : derivation.passages) passage.conditions = decision.conditions;
+  return derivation;
 }
 
 }  // namespace patchproof

@@ -1,5 +1,7 @@
 #include <patchproof/derivation/computation.hpp>
 
+#include <algorithm>
+
 #include <patchproof/decide/guard.hpp>
 #include <patchproof/derivation/shapes.hpp>
 #include <patchproof/derivation/tidied.hpp>
@@ -26,6 +28,30 @@ std::size_t printed_size(const Term& term, std::size_t most) {
   return size;
 }
 
+// Matrices and fractions cannot be broken: what is wider than a line would be made too small.
+bool fits_a_line(const Term& term) {
+  constexpr std::size_t widest = 62;
+  if (term.operation() == Operation::matrix && !is_array(term)) {
+    const std::size_t columns = static_cast<std::size_t>(std::max(term.type().columns, 1));
+    std::size_t width = 0;
+    for (std::size_t j = 0; j < columns; ++j) {
+      std::size_t column = 0;
+      for (std::size_t k = j; k < term.children().size(); k += columns)
+        column = std::max(column, printed_size(term.child(k), widest + 1));
+      width += column;
+    }
+    if (width > widest) return false;
+  }
+  if (term.operation() == Operation::quotient &&
+      std::max(printed_size(term.child(0), widest + 1), printed_size(term.child(1), widest + 1)) >
+          widest)
+    return false;
+  const bool is_call = term.operation() == Operation::definition && term.children().size() > 1;
+  for (std::size_t k = is_call ? 1 : 0; k < term.children().size(); ++k)
+    if (!fits_a_line(term.child(k))) return false;
+  return true;
+}
+
 }  // namespace
 
 bool Computation::same(const Term& a, const Term& b) const {
@@ -34,6 +60,10 @@ bool Computation::same(const Term& a, const Term& b) const {
 }
 
 bool Computation::is_readable(const Term& term) const {
+  return is_brief(term) && fits_a_line(term);
+}
+
+bool Computation::is_brief(const Term& term) const {
   return printed_size(term, longest_term) < longest_term;
 }
 
@@ -64,7 +94,8 @@ Chain Computation::of(const Term& value) {
                             names};
     const Term tidy = tidied(current);
     const bool is_short = printed_size(current, longest_raw) < longest_raw;
-    if ((!next->differentiated && is_short) || detail_ == Detail::all) {
+    const bool put_in = !next->differentiated && is_short && next->numbers_put_in;
+    if (put_in || detail_ == Detail::all) {
       append(chain, current, definition);
       append(chain, tidy, {Reason::Kind::arithmetic, {}});
     } else {

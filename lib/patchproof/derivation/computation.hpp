@@ -44,6 +44,9 @@ class Computation {
 
   const Limits& limits() const { return limits_; }
 
+  /// Whether the term is not too long, however wide its matrices and fractions are.
+  bool is_brief(const Term& term) const;
+
   /// Whether nothing in the term has a name that could be written out.
   bool is_plain(const Term& term) { return unfolding_.depth(term) == 0; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,9 @@ struct Passage {
   Goal given;
   /// Conditions that nothing is known to satisfy: they are not said to hold, and not decided.
   bool open = false;
+  /// Where the claim holds under conditions, or without any, its steps need no others: the conditions
+  /// they may have. None given: any.
+  std::optional<std::vector<std::string>> conditions = std::nullopt;
 };
 
 /// The derivation of one claim, as proposed: nothing of it has been decided.

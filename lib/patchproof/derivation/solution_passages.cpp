@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <patchproof/derivation/basis_rows.hpp>
 #include <patchproof/derivation/claim_derivation.hpp>
 
@@ -27,19 +29,27 @@ Term shortest(const Term& value, const Computation& computation) {
 // Coefficient by coefficient where both sides are in one basis, else the sides as they are.
 void add_conditions(const Chain& left, const Chain& right, const Computation& computation,
                     std::vector<Chain>& conditions) {
+  // What is seen to hold, or was said before, is no condition.
+  const auto add = [&](const Term& left_side, const Term& right_side) {
+    const bool said = std::any_of(conditions.begin(), conditions.end(), [&](const Chain& other) {
+      return computation.same(other.start, left_side) &&
+             computation.same(other.links.front().term, right_side);
+    });
+    if (!said && !computation.same(left_side, right_side))
+      conditions.push_back({left_side, {{Relation::equal, right_side, {}}}});
+  };
   const auto left_rows = rows_of(left);
   const auto right_rows = rows_of(right);
   bool alike = left_rows && right_rows && left_rows->basis.size() == right_rows->basis.size();
   for (std::size_t k = 0; alike && k < left_rows->basis.size(); ++k)
     alike = computation.same(left_rows->basis[k], right_rows->basis[k]);
   if (!alike) {
-    conditions.push_back({last_of(left), {{Relation::equal, last_of(right), {}}}});
+    add(last_of(left), last_of(right));
     return;
   }
   for (std::size_t k = 0; k < left_rows->basis.size(); ++k)
-    conditions.push_back(
-        {shortest(left_rows->coefficients[k], computation),
-         {{Relation::equal, shortest(right_rows->coefficients[k], computation), {}}}});
+    add(shortest(left_rows->coefficients[k], computation),
+        shortest(right_rows->coefficients[k], computation));
 }
 
 }  // namespace
@@ -77,7 +87,8 @@ std::vector<Passage> solution_passages(const DeriveClaim& claim, const Decision&
 
   Passage result{Passage::Kind::result, {}, {}, at_solution};
   for (const Statement& value : claim.gives)
-    result.chains.push_back({value.left, {{Relation::equal, value.right, {}}}});
+    if (!computation.same(value.left, value.right))
+      result.chains.push_back({value.left, {{Relation::equal, value.right, {}}}});
   if (claim.gives.empty())
     for (const KnownValue& value : decision.solution)
       if (computation.is_readable(value.value))

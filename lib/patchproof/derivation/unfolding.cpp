@@ -90,6 +90,9 @@ class Layer {
     }
     if (unnamed) return of(at(*base, orders, arguments, false));
     result.names.push_back(is_named(*base, names_) ? *names_.name_of(*base) : base->name());
+    result.numbers_put_in =
+        result.numbers_put_in || std::any_of(arguments.begin(), arguments.end(),
+                                             [](const Term& t) { return t.is_number(); });
     return at(*base, orders, arguments, true);
   }
 

@@ -18,6 +18,8 @@ struct Unfolded {
   bool differentiated = false;
   /// Whether all names only stood for other ones, as r for coons(C1, C2, D1, D2).
   bool only_renamed = true;
+  /// Whether a function was put at a number, as in r(u, 0).
+  bool numbers_put_in = false;
 };
 
 /// Writes names out, layer by layer: first those that are defined by others.

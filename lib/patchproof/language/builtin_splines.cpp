@@ -94,6 +94,15 @@ std::size_t direction_of(const Spline& spline, const syntax::Expression& call, s
   throw Fault{direction ? direction->span : call.span, "a direction is u or v", help};
 }
 
+// How the call is written, with running indices as the numbers they are.
+std::string written_call(const std::string& name, const syntax::Expression& call,
+                         const std::vector<long>& numbers) {
+  const Span& span = call.arguments[0].value->span;
+  std::string text = name + "(" + span.source->text.substr(span.begin, span.end - span.begin);
+  for (const long number : numbers) text += ", " + std::to_string(number);
+  return text + ")";
+}
+
 Term segment(const syntax::Expression& call, const Scope& scope, Elaborator& elaborator) {
   Construction& construct = elaborator.construct();
   const Spline spline = elaborator.spline(*call.arguments[0].value, scope);
@@ -104,31 +113,34 @@ Term segment(const syntax::Expression& call, const Scope& scope, Elaborator& ela
                                 : "a spline surface has two segment numbers",
                 directions == 1 ? "segment(T, i)" : "segment(T, i, j)"};
   std::vector<int> spans;
+  std::vector<long> numbers;
   for (std::size_t k = 0; k < directions; ++k) {
     if (!call.arguments[k + 1].value) throw Fault{call.span, "a segment number cannot run"};
     const Term number = elaborator.expression(*call.arguments[k + 1].value, scope);
-    spans.push_back(
-        span_number(spline, k, construct.whole_number(number, "a segment number"), call.span));
+    numbers.push_back(construct.whole_number(number, "a segment number"));
+    spans.push_back(span_number(spline, k, numbers.back(), call.span));
   }
   const std::vector<std::string> names =
       directions == 1 ? std::vector<std::string>{"t"} : std::vector<std::string>{"u", "v"};
   const Term function = construct.function(names, call.span, [&](const std::vector<Term>& t) {
     return piece(spline, spans, t, elaborator, call.span);
   });
-  return construct.definition("segment", function, {}, call.span);
+  return construct.definition(written_call("segment", call, numbers), function, {}, call.span);
 }
 
 Term bezier_net(const syntax::Expression& call, const Scope& scope, Elaborator& elaborator) {
   const Spline spline = elaborator.spline(*call.arguments[0].value, scope);
   return elaborator.construct().definition(
-      "bezier_net", bezier_form(spline, elaborator, call.span).points(), {}, call.span);
+      written_call("bezier_net", call, {}), bezier_form(spline, elaborator, call.span).points(), {},
+      call.span);
 }
 
 Term bezier_weights(const syntax::Expression& call, const Scope& scope, Elaborator& elaborator) {
   const Spline spline = elaborator.spline(*call.arguments[0].value, scope);
   if (!spline.weights) throw Fault{call.span, "this spline has no weights"};
   return elaborator.construct().definition(
-      "bezier_weights", bezier_form(spline, elaborator, call.span).weights(), {}, call.span);
+      written_call("bezier_weights", call, {}), bezier_form(spline, elaborator, call.span).weights(),
+      {}, call.span);
 }
 
 Term control_points(const syntax::Expression& call, const Scope& scope, Elaborator& elaborator) {

@@ -51,6 +51,7 @@ class CaseElaborator {
   void declare(const syntax::Statement& statement);
   /// Takes over into the case what a statement has declared.
   void record(const syntax::Statement& statement, Case& result) const;
+  void record_parameters(const syntax::Statement& statement, Case& result) const;
   void declare_parameters(const syntax::Statement& statement);
   void declare_symbols(const syntax::Statement& statement);
   void declare_functions(const syntax::Statement& statement);

@@ -1,7 +1,27 @@
+#include <algorithm>
+
 #include <patchproof/language/case_elaborator.hpp>
 #include <patchproof/language/kind_words.hpp>
 
 namespace patchproof {
+
+namespace {
+
+// What is written there, with single spaces, and without the word it begins with.
+std::string one_line(const Span& span) {
+  std::string result;
+  for (std::size_t k = span.begin; k < span.end; ++k) {
+    const char c = span.source->text[k];
+    const bool blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+    if (!blank)
+      result += c;
+    else if (!result.empty() && result.back() != ' ')
+      result += ' ';
+  }
+  return result.substr(result.find(' ') + 1);
+}
+
+}  // namespace
 
 void require_different(const std::vector<syntax::Name>& parameters) {
   for (std::size_t k = 0; k < parameters.size(); ++k)
@@ -127,10 +147,25 @@ void CaseElaborator::record(const syntax::Statement& statement, Case& result) co
     result.declarations.push_back({name.text, std::string{text_of(statement.kind)}, instance,
                                    entity->term, given, name.span});
   };
-  for (const syntax::Declarator& declarator : statement.declarators)
+  bool is_term = true;
+  for (const syntax::Declarator& declarator : statement.declarators) {
     add(declarator.name, !declarator.value && !statement.spline);
+    const Entity* entity = scope_.find_here(declarator.name.text);
+    is_term = is_term && (entity == nullptr || entity->kind == Entity::Kind::term);
+  }
+  if (is_term) return record_parameters(statement, result);
+  const std::string written = one_line(statement.span);
+  if (std::find(result.written.begin(), result.written.end(), written) == result.written.end())
+    result.written.push_back(written);
+}
+
+void CaseElaborator::record_parameters(const syntax::Statement& statement, Case& result) const {
+  const std::string instance = instance_.empty() ? "" : "[" + instance_ + "]";
   for (const syntax::ParameterGroup& group : statement.parameters)
-    for (const syntax::Name& name : group.names) add(name, true);
+    for (const syntax::Name& name : group.names)
+      if (const Entity* entity = scope_.find_here(name.text))
+        result.declarations.push_back({name.text, std::string{text_of(statement.kind)}, instance,
+                                       entity->term, true, name.span});
 }
 
 }  // namespace patchproof

@@ -91,6 +91,52 @@ std::string solution_text(const Decision& decision, const Wording& wording) {
 
 }  // namespace
 
+namespace {
+
+std::string chains_text(const std::vector<CheckedChain>& chains, const Wording& wording) {
+  std::string text;
+  for (const CheckedChain& chain : chains) text += chain_text(chain, wording);
+  return text;
+}
+
+// Short equations one behind the other.
+std::string conditions_text(const std::vector<CheckedChain>& chains, const Wording& wording) {
+  constexpr int widest = 1400;
+  std::string text;
+  for (std::size_t k = 0; k < chains.size(); ++k) {
+    const CheckedChain& chain = chains[k];
+    if (chain.links.size() != 1) return chains_text(chains, wording);
+    const Link& link = chain.links.front().link;
+    const std::string equation = to_latex(chain.start, wording.names) + " " +
+                                 relation_text(link.relation) + " " +
+                                 to_latex(link.term, wording.names);
+    if (estimated_width(equation) > widest) return chains_text(chains, wording);
+    text += "\\pps{" + equation + (k + 1 < chains.size() ? ",\\quad" : "") + "}";
+  }
+  return "\\ppalone{" + text + "}\n";
+}
+
+// Numbers are worked out when a case is read, so that 4 == binomial(4, 1) reads 4 = 4: then the text
+// of the case says what is meant.
+std::string written_text(const Claim& claim, const Wording& wording) {
+  const std::vector<Statement>& statements = goal_of(claim).statements;
+  const bool says_nothing =
+      std::any_of(statements.begin(), statements.end(), [&](const Statement& statement) {
+        return to_latex(statement.left, wording.names) == to_latex(statement.right, wording.names);
+      });
+  const Span& span = claim.statement;
+  if (!says_nothing || !span.source) return "";
+  std::string text;
+  for (std::size_t k = span.begin; k < span.end; ++k) {
+    const char c = span.source->text[k];
+    const bool blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+    if (!blank || (!text.empty() && text.back() != ' ')) text += blank ? ' ' : c;
+  }
+  return paragraph("\\ppname{" + latex_escaped(text) + "}");
+}
+
+}  // namespace
+
 std::string statement_text(const Claim& claim, const Wording& wording) {
   std::string text;
   if (const auto* derive = std::get_if<DeriveClaim>(&claim.kind))
@@ -98,7 +144,7 @@ std::string statement_text(const Claim& claim, const Wording& wording) {
   else if (const auto* minimum = std::get_if<MinimumClaim>(&claim.kind))
     text = minimum_text(*minimum, wording);
   else
-    text = statements_text(goal_of(claim).statements, wording);
+    text = written_text(claim, wording) + statements_text(goal_of(claim).statements, wording);
   if (claim.uses.empty()) return text;
   std::string labels;
   for (const std::string& label : claim.uses)
@@ -130,8 +176,9 @@ std::string passages_text(const CheckedDerivation& derivation, const Wording& wo
     else if (!opening.empty())
       text += paragraph(opening);
     before = passage.kind;
-    std::string chains;
-    for (const CheckedChain& chain : passage.chains) chains += chain_text(chain, wording);
+    const std::string chains = passage.kind == Passage::Kind::condition
+                                   ? conditions_text(passage.chains, wording)
+                                   : chains_text(passage.chains, wording);
     text += passage.kind == Passage::Kind::result ? in_result(chains) : chains;
   }
   return text;

@@ -40,7 +40,10 @@ std::string body(const Page& page, const DocumentOptions& options) {
                      "\\label{case:" + given.name + "}\n";
   if (!given.quote.empty()) text += "\\ppquote{" + prose(given.quote) + "}\n";
   text += given_text(given, wording);
-  const std::string definitions = definitions_text(page.derivation.definitions, wording);
+  std::string definitions;
+  for (const std::string& written : given.written)
+    definitions += "\\pptext{\\ppname{" + latex_escaped(written) + "}}\n";
+  definitions += definitions_text(page.derivation.definitions, wording);
   if (!definitions.empty())
     text += "\\ppheading{" + wording(Word::definitions) + "}\n" + definitions;
   text += assumptions_text(given, wording);

@@ -16,6 +16,8 @@ constexpr int sign = 122;
 constexpr int symbol = 62;
 constexpr int surely_fits = 1100;
 constexpr int widest_piece = 2200;
+// Inside of this many brackets a line may still be broken.
+constexpr int deepest_brackets = 3;
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
@@ -135,7 +137,8 @@ class Cut {
         take(begin, k);
         begin = k;
       }
-      if (open_place && depth_ > 0 && c == ',') {
+      // Between arguments only where nothing else helps.
+      if (open_place && deepest_ == deepest_brackets && depth_ > 0 && c == ',') {
         take(begin, k + 1);
         begin = k + 1;
       }
@@ -205,9 +208,8 @@ std::string with_fixed_brackets(const std::string& text) {
 int estimated_width(const std::string& latex) { return Width{latex}.total(); }
 
 std::vector<std::string> pieces(const std::string& latex) {
-  constexpr int deepest = 3;
   std::vector<std::string> result{latex};
-  for (int depth = 0; depth <= deepest; ++depth) {
+  for (int depth = 0; depth <= deepest_brackets; ++depth) {
     std::vector<std::string> finer;
     for (const std::string& piece : result) {
       if (depth > 0 && estimated_width(piece) <= widest_piece) {

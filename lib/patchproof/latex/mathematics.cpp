@@ -154,6 +154,13 @@ std::string values_text(const std::vector<KnownValue>& values, const Wording& wo
             to_latex(body_of(value.value), wording.names) + "$";
   }
   if (values.empty()) return wording(Word::any_values);
+  if (text.empty()) {
+    // All are zero: said of each, as far as that is short.
+    constexpr std::size_t few = 6;
+    for (std::size_t k = 0; k < values.size() && values.size() <= few; ++k)
+      text += (text.empty() ? "$" : ", $") + symbol_text(*values[k].symbol, wording) + " = 0$";
+    if (!text.empty()) return text;
+  }
   if (zeros) text += (text.empty() ? "" : "; ") + wording(Word::all_others_zero);
   return text;
 }

@@ -19,7 +19,9 @@ std::string_view style_file() {
   \raggedbottom
   % Titles of cases are too long for the head of a page.
   \AtBeginDocument{\renewcommand\sectionmark[1]{}}
-  \def\@tocrmarg{3em plus 1fil}
+  \def\@tocrmarg{4em plus 1fil}
+  \def\@pnumwidth{2.4em}
+  \renewcommand*\l@section{\@dottedtocline{1}{1.5em}{3em}}
 \fi
 
 % Letters: CMU has Cyrillic and all diacritics, and goes with the mathematics.
@@ -46,14 +48,17 @@ std::string_view style_file() {
 \newif\ifpp@struck
 
 % ---- headings and text ----
+% A new page where less than #1 lines are left.
+\newcommand\pp@need[1]{\par\ifdim\pagegoal<\maxdimen
+  \ifdim\dimexpr\pagegoal-\pagetotal<#1\baselineskip\newpage\fi\fi}
 \newcommand\ppcase[3]{% title, name, sources
-  \par\ifdefined\ppbook\section[{#1}]{\raggedright #1}\else\section*{\raggedright #1}\fi
+  \pp@need{12}\ifdefined\ppbook\section[{#1}]{\raggedright #1}\else\section*{\raggedright #1}\fi
   {\parindent0pt\raggedright\small\texttt{#2}\par #3\par}}
 \newcommand\ppsource[1]{\textcolor{ppquiet}{#1}\par}
 \newcommand\ppquote[1]{\par{\small\begin{quote}\itshape #1\end{quote}}}
 \newcommand\ppheading[1]{\par\addpenalty{-100}\medskip
   {\noindent\textbf{\textsf{#1}}\par}\nobreak\smallskip}
-\newcommand\ppclaim[2]{\par\addpenalty{-200}\bigskip
+\newcommand\ppclaim[2]{\pp@need{7}\par\addpenalty{-200}\bigskip
   {\noindent\textbf{#1} {\hyphenchar\font=-1 \ppname{#2}}\par}\nobreak\smallskip}
 \newcommand\pptext[1]{\par\addvspace{2pt plus 1pt}{\noindent\raggedright #1\par}\nobreak}
 \newcommand\ppderivation[2]{\par\addvspace{4pt}{\noindent\raggedright\textit{#1.} #2\par}\nobreak}

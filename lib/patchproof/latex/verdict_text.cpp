@@ -99,7 +99,13 @@ std::string refutation_text(const Decision& decision, const RefutationParts& par
   if (parts.sides) text += sides_text(decision.witness, wording);
   // What does not fit into a few lines says nothing to a reader.
   constexpr std::size_t longest_difference = 250;
-  if (parts.difference && !decision.residual.empty() &&
+  const bool program_text = decision.residual.find("integral(") != std::string::npos ||
+                            decision.residual.find(".x") != std::string::npos ||
+                            decision.residual.find(".y") != std::string::npos ||
+                            decision.residual.find(".z") != std::string::npos;
+  // The difference is that of one component.
+  const bool whole = decision.witness.component.empty();
+  if (parts.difference && whole && !program_text && !decision.residual.empty() &&
       decision.residual.size() <= longest_difference)
     text += side(Word::difference, decision.residual, wording);
   if (!decision.reason.empty()) text += paragraph(prose(decision.reason));

@@ -84,7 +84,34 @@ std::string LatexName::text() const {
   return base + "_" + (index.size() == 1 ? index : "{" + index + "}");
 }
 
+namespace {
+
+// "segment(T, 0)": a name that is a call, with names and numbers as arguments.
+std::string call_text(const std::string& name, const Notation& notation) {
+  const std::size_t open = name.find('(');
+  std::string text = "\\operatorname{" + latex_escaped(name.substr(0, open)) + "}(";
+  const std::string inside = name.substr(open + 1, name.size() - open - 2);
+  for (std::size_t begin = 0; begin <= inside.size();) {
+    std::size_t end = inside.find(", ", begin);
+    if (end == std::string::npos) end = inside.size();
+    const std::string part = inside.substr(begin, end - begin);
+    const bool plain = std::all_of(part.begin(), part.end(), [](char c) {
+      return is_digit(c) || std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+    });
+    const bool number = !part.empty() && is_digit(part.front());
+    text += (begin > 0 ? ", " : "") +
+            (number && plain ? part
+             : plain && !part.empty() ? latex_name(part, notation).text()
+                                      : "\\mathtt{" + latex_escaped(part) + "}");
+    begin = end + 2;
+  }
+  return text + ")";
+}
+
+}  // namespace
+
 LatexName latex_name(const std::string& name, const Notation& notation) {
+  if (name.find('(') != std::string::npos) return {call_text(name, notation), ""};
   const std::size_t bracket = name.find('[');
   const std::string base = name.substr(0, bracket);
   const auto own = notation.names.find(base);

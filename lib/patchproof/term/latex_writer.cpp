@@ -108,6 +108,7 @@ std::string LatexWriter::unnamed(const Term& term) {
     case Operation::matrix_product: return product(term);
     case Operation::quotient: return quotient(term);
     case Operation::power:
+      if (term.exponent() == 1) return of(term.child(0));
       return latex_base(within(term.child(0), Binding::primary)) + "^{" +
              std::to_string(term.exponent()) + "}";
     case Operation::sine: return "\\sin" + elementary_argument(term.child(0));
@@ -142,29 +143,28 @@ std::string LatexWriter::sum(const Term& term) {
 }
 
 std::string LatexWriter::product(const Term& term) {
-  std::vector<std::string> factors;
+  std::vector<Factor> factors;
   collect_factors(term, factors);
   std::string result;
-  for (const std::string& factor : factors) {
-    if (result.empty()) {
-      result = factor;
-      continue;
-    }
-    const bool digit = factor.front() >= '0' && factor.front() <= '9';
-    const bool fraction_after = factor.rfind("\\tfrac", 0) == 0 || factor.rfind("\\frac", 0) == 0;
-    const char last = result.back();
-    const bool after_number = (last >= '0' && last <= '9');
-    if (result == "-1" && !digit)
-      result = "-" + factor;
-    else if (digit || (fraction_after && after_number) || result == "0" || result == "1")
-      result += " \\cdot " + factor;
+  bool after_number = false;
+  for (const Factor& factor : factors) {
+    // Nobody writes 1 or u^0 as a factor of something.
+    if (factor.is_one && factors.size() > 1 && &factor != &factors.back()) continue;
+    if (factor.is_one && !result.empty()) continue;
+    if (result.empty())
+      result = factor.text;
+    else if (result == "-1" && !factor.is_number)
+      result = "-" + factor.text;
+    else if (factor.is_number || result == "0")
+      result += " \\cdot " + factor.text;
     else
-      result += (factor.front() == '(' || after_number ? "" : "\\,") + factor;
+      result += (factor.text.front() == '(' || after_number ? "" : "\\,") + factor.text;
+    after_number = factor.is_number;
   }
   return result;
 }
 
-void LatexWriter::collect_factors(const Term& function_or_value, std::vector<std::string>& factors) {
+void LatexWriter::collect_factors(const Term& function_or_value, std::vector<Factor>& factors) {
   const Term& term = written(function_or_value);
   if (is_product(term) && !name_of(term)) {
     for (const Term& child : term.children()) collect_factors(child, factors);
@@ -175,7 +175,9 @@ void LatexWriter::collect_factors(const Term& function_or_value, std::vector<std
   const bool minus = binding_of(term) == Binding::sum;
   const bool bare = !name_of(term) && ((fraction && !minus) ||
                                        (first && minus && term.operation() != Operation::sum));
-  factors.push_back(bare ? of(term) : within(term, Binding::power));
+  const bool is_one = (term.is_number() && term.number() == 1) ||
+                      (term.operation() == Operation::power && term.exponent() == 0);
+  factors.push_back({bare ? of(term) : within(term, Binding::power), term.is_number(), is_one});
 }
 
 std::string LatexWriter::quotient(const Term& term) {

@@ -18,6 +18,11 @@ class LatexWriter {
   std::vector<std::string> summands(const Term& function_or_value);
 
  private:
+  struct Factor {
+    std::string text;
+    bool is_number = false;
+    bool is_one = false;
+  };
   const std::string* name_of(const Term& term) const { return names_.name_of(term); }
   bool is_name(const Term& term) const { return name_of(term) || has_plain_name(term); }
   // A product of matrices that is one value, of which the entry is taken.
@@ -31,7 +36,7 @@ class LatexWriter {
   std::string sum(const Term& term);
   // Juxtaposition; a dot where two digits or two matrices would meet.
   std::string product(const Term& term);
-  void collect_factors(const Term& function_or_value, std::vector<std::string>& factors);
+  void collect_factors(const Term& function_or_value, std::vector<Factor>& factors);
   std::string quotient(const Term& term);
   std::string elementary_argument(const Term& argument);
   std::string infix(const Term& term, const std::string& sign);
@@ -42,6 +47,8 @@ class LatexWriter {
   std::string derivative(const Term& term);
   std::string parameter_text(const std::string& name) const;
   std::string derivative_fraction(const Term& base, const Indices& orders, int total);
+  const Term* call_of_formals(const Term& function) const;
+  static bool is_letter_name(const std::string& name);
   std::optional<LatexName> symbol_name(const Term& term) const;
   std::string component(const Term& term);
   std::string index(const Term& matrix, const Indices& indices);

@@ -66,11 +66,35 @@ std::string LatexWriter::derivative_fraction(const Term& base, const Indices& or
   return "\\frac{" + std::string{d} + power + " " + within(base, Binding::primary) + "}{" + below + "}";
 }
 
+// t -> H03(t) is H03.
+const Term* LatexWriter::call_of_formals(const Term& function) const {
+  if (function.operation() != Operation::lambda) return nullptr;
+  const Term& call = function.child(0);
+  const Formals& formals = function.formals();
+  if (call.operation() != Operation::definition || call.children().size() != formals.size() + 1)
+    return nullptr;
+  for (std::size_t k = 0; k < formals.size(); ++k) {
+    const Term& argument = call.child(k + 1);
+    if (argument.operation() != Operation::symbol ||
+        argument.symbol()->ordinal != formals[k]->ordinal)
+      return nullptr;
+  }
+  return &call;
+}
+
+// A letter with digits, as H03; words are written as operators.
+bool LatexWriter::is_letter_name(const std::string& name) {
+  const auto is_word = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  return std::find_if_not(name.begin(), name.end(), is_word) - name.begin() == 1;
+}
+
 std::optional<LatexName> LatexWriter::symbol_name(const Term& term) const {
   if (const std::string* name = name_of(term)) return latex_name(*name, names_.notation);
   if (term.operation() == Operation::symbol)
     return latex_name(term.symbol()->name, names_.notation);
   if (has_plain_name(term)) return latex_name(term.name(), names_.notation);
+  if (const Term* call = call_of_formals(term); call != nullptr && is_letter_name(call->name()))
+    return latex_name(call->name(), names_.notation);
   return std::nullopt;
 }
 
@@ -132,9 +156,11 @@ std::string LatexWriter::determinant(const Term& term) {
   const Term& matrix_term = term.child(0);
   if (matrix_term.operation() != Operation::matrix || name_of(matrix_term))
     return "\\det" + latex_bracketed(of(matrix_term));
+  // Bars around the whole; matrices inside stay matrices.
   std::string text = matrix(matrix_term);
-  for (std::size_t at = text.find("pmatrix"); at != std::string::npos; at = text.find("pmatrix", at))
-    text.replace(at, 7, "vmatrix");
+  const std::string environment = "pmatrix";
+  text.replace(text.find(environment), environment.size(), "vmatrix");
+  text.replace(text.rfind(environment), environment.size(), "vmatrix");
   return text;
 }
 
@@ -161,12 +187,7 @@ std::string LatexWriter::definition(const Term& term) {
   const bool plain = has_plain_name(term);
   const auto own = names_.notation.names.find(term.name());
   std::string name;
-  // H03 is a letter with an index; words are operators.
-  const std::size_t letters =
-      static_cast<std::size_t>(std::find_if(term.name().begin(), term.name().end(),
-                                            [](char c) { return !std::isalpha(static_cast<unsigned char>(c)); }) -
-                               term.name().begin());
-  if (plain || own != names_.notation.names.end() || letters == 1)
+  if (plain || own != names_.notation.names.end() || is_letter_name(term.name()))
     name = latex_name(term.name(), names_.notation).text();
   else
     name = "\\operatorname{" + words(term.name()) + "}";
