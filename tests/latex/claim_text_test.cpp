@@ -46,18 +46,18 @@ const std::string chain_in_english =
 
 TEST_CASE("a chain has a line for each step, with its reason") {
   CHECK(with(Passage::Kind::computation, Language::english) ==
-        "\\pptext{We compute}\n" + chain_in_english);
+        "\\ppderivation{Derivation}{We compute}\n" + chain_in_english);
 }
 
 TEST_CASE("the words of a passage are those of the language") {
   CHECK(with(Passage::Kind::computation, Language::slovak) ==
-        "\\pptext{Počítame}\n\\begin{ppchain}{a + a}\n  \\ppline{=}{2a}{úprava}\n"
+        "\\ppderivation{Odvodenie}{Počítame}\n\\begin{ppchain}{a + a}\n  \\ppline{=}{2a}{úprava}\n"
         "  \\ppline{=}{b}{predpoklad \\pplabel{twice}}\n\\end{ppchain}\n");
 }
 
 TEST_CASE("a result stands in a box") {
   CHECK(with(Passage::Kind::result, Language::english) ==
-        "\\pptext{Hence}\n\\begin{ppresult}\n" + chain_in_english + "\\end{ppresult}\n");
+        "\\ppderivation{Derivation}{Hence}\n\\begin{ppresult}\n" + chain_in_english + "\\end{ppresult}\n");
 }
 
 TEST_CASE("a counterexample begins with its values, zeros said together") {
@@ -68,7 +68,8 @@ TEST_CASE("a counterexample begins with its values, zeros said together") {
       derivation_of(Passage::Kind::witness, given,
                     {{a, number_term(Rational{0})}, {b, number_term(Rational{1, 2})}}),
       Wording{});
-  CHECK(text == "\\pptext{\\textbf{Counterexample:} $b = \\tfrac{1}{2}$; everything else is 0}\n" +
+  CHECK(text == "\\ppderivation{Derivation}{\\textbf{Counterexample:} $b = \\tfrac{1}{2}$; "
+                "everything else is 0}\n" +
                     chain_in_english);
 }
 

@@ -109,9 +109,26 @@ Passage difference_passage(const Goal& goal, const Decision& decision,
   return passage;
 }
 
+Statement turned_round(const Statement& statement) {
+  const auto turned = [](Relation relation) {
+    switch (relation) {
+      case Relation::less: return Relation::greater;
+      case Relation::less_equal: return Relation::greater_equal;
+      case Relation::greater: return Relation::less;
+      case Relation::greater_equal: return Relation::less_equal;
+      default: return relation;
+    }
+  };
+  return {statement.right, turned(statement.relation), statement.left, statement.span};
+}
+
 // Both sides worked out until they meet.
 std::vector<Chain> meeting_chains(const Statement& statement, const Reason& reason,
                                   Computation& computation) {
+  // 0 <= f is read as f = … >= 0.
+  if (statement.left.is_number() && statement.relation != Relation::equal &&
+      !statement.right.is_number())
+    return meeting_chains(turned_round(statement), reason, computation);
   Chain left = computation.of(statement.left);
   if (statement.relation != Relation::equal) {
     left.links.push_back({statement.relation, statement.right, {}});

@@ -159,7 +159,7 @@ std::string LatexWriter::product(const Term& term) {
       result += " \\cdot " + factor.text;
     else
       result += (factor.text.front() == '(' || after_number ? "" : "\\,") + factor.text;
-    after_number = factor.is_number;
+    after_number = factor.is_number && factor.text.back() != '}';
   }
   return result;
 }
