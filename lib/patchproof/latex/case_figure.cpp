@@ -21,6 +21,8 @@ using Seen = std::set<const TermNode*>;
 
 bool speaks_of(const Term& where, const Term& what, Seen& seen) {
   if (is_one_term(where, what)) return true;
+  // Nor is what a function of the case stands for.
+  if (where.operation() == Operation::lambda) return false;
   if (!seen.insert(where.address()).second) return false;
   // What a definition was made into is not what is said.
   const bool call = where.operation() == Operation::definition && where.children().size() > 1;
