@@ -93,39 +93,47 @@ std::string solution_text(const Decision& decision, const Wording& wording) {
 
 namespace {
 
-std::string chains_text(const std::vector<CheckedChain>& chains, const Wording& wording) {
+std::string chains_text(const CheckedPassage& passage, const Wording& wording) {
   std::string text;
-  for (const CheckedChain& chain : chains) text += chain_text(chain, wording);
+  for (const CheckedChain& chain : passage.chains)
+    text += readable_chain_text(chain, passage.kind, wording);
   return text;
 }
 
 // Short equations one behind the other.
-std::string conditions_text(const std::vector<CheckedChain>& chains, const Wording& wording) {
+std::string conditions_text(const CheckedPassage& passage, const Wording& wording) {
   constexpr int widest = 1400;
+  const std::vector<CheckedChain>& chains = passage.chains;
   std::string text;
   for (std::size_t k = 0; k < chains.size(); ++k) {
     const CheckedChain& chain = chains[k];
-    if (chain.links.size() != 1) return chains_text(chains, wording);
+    if (chain.links.size() != 1) return chains_text(passage, wording);
     const Link& link = chain.links.front().link;
     const std::string equation = to_latex(chain.start, wording.names) + " " +
                                  relation_text(link.relation) + " " +
                                  to_latex(link.term, wording.names);
-    if (estimated_width(equation) > widest) return chains_text(chains, wording);
+    if (estimated_width(equation) > widest) return chains_text(passage, wording);
     text += "\\pps{" + equation + (k + 1 < chains.size() ? ",\\quad" : "") + "}";
   }
   return "\\ppalone{" + text + "}\n";
 }
 
-// Numbers are worked out when a case is read, so that 4 == binomial(4, 1) reads 4 = 4: then the text
-// of the case says what is meant.
+bool has_wide_side(const Statement& statement, const Wording& wording) {
+  return is_too_wide(to_latex(statement.left, wording.names)) ||
+         is_too_wide(to_latex(statement.right, wording.names));
+}
+
+// Numbers are worked out when a case is read, so that 4 == binomial(4, 1) reads 4 = 4; and matrices
+// can be too wide for a page. Then the text of the case says what is meant.
 std::string written_text(const Claim& claim, const Wording& wording) {
   const std::vector<Statement>& statements = goal_of(claim).statements;
-  const bool says_nothing =
+  const bool needed =
       std::any_of(statements.begin(), statements.end(), [&](const Statement& statement) {
-        return to_latex(statement.left, wording.names) == to_latex(statement.right, wording.names);
+        return has_wide_side(statement, wording) ||
+               to_latex(statement.left, wording.names) == to_latex(statement.right, wording.names);
       });
   const Span& span = claim.statement;
-  if (!says_nothing || !span.source) return "";
+  if (!needed || !span.source) return "";
   std::string text;
   for (std::size_t k = span.begin; k < span.end; ++k) {
     const char c = span.source->text[k];
@@ -133,6 +141,14 @@ std::string written_text(const Claim& claim, const Wording& wording) {
     if (!blank || (!text.empty() && text.back() != ' ')) text += blank ? ' ' : c;
   }
   return paragraph("\\ppname{" + latex_escaped(text) + "}");
+}
+
+// All of a printed line, which has to be there to be struck; else those that can be read.
+std::vector<Statement> readable_statements(const Claim& claim, const Wording& wording) {
+  std::vector<Statement> result;
+  for (const Statement& statement : goal_of(claim).statements)
+    if (claim.verb == "printed" || !has_wide_side(statement, wording)) result.push_back(statement);
+  return result;
 }
 
 }  // namespace
@@ -144,7 +160,7 @@ std::string statement_text(const Claim& claim, const Wording& wording) {
   else if (const auto* minimum = std::get_if<MinimumClaim>(&claim.kind))
     text = minimum_text(*minimum, wording);
   else
-    text = written_text(claim, wording) + statements_text(goal_of(claim).statements, wording);
+    text = written_text(claim, wording) + statements_text(readable_statements(claim, wording), wording);
   if (claim.uses.empty()) return text;
   std::string labels;
   for (const std::string& label : claim.uses)
@@ -164,6 +180,10 @@ std::string passages_text(const CheckedDerivation& derivation, const Wording& wo
   std::optional<Passage::Kind> before;
   for (const CheckedPassage& passage : derivation.passages()) {
     const bool witness = passage.kind == Passage::Kind::witness;
+    const std::string chains = passage.kind == Passage::Kind::condition
+                                   ? conditions_text(passage, wording)
+                                   : chains_text(passage, wording);
+    if (chains.empty() && !witness) continue;
     // Paragraphs of one sort are one after the other, and are introduced once.
     std::string opening;
     if (witness)
@@ -176,9 +196,6 @@ std::string passages_text(const CheckedDerivation& derivation, const Wording& wo
     else if (!opening.empty())
       text += paragraph(opening);
     before = passage.kind;
-    const std::string chains = passage.kind == Passage::Kind::condition
-                                   ? conditions_text(passage.chains, wording)
-                                   : chains_text(passage.chains, wording);
     text += passage.kind == Passage::Kind::result ? in_result(chains) : chains;
   }
   return text;

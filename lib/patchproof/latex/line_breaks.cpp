@@ -228,6 +228,16 @@ std::vector<std::string> pieces(const std::string& latex) {
   return result;
 }
 
+bool is_too_wide(const std::string& latex) {
+  // A line holds about 36 em; letters of 11 points are still read at 7.
+  constexpr int widest = 5700;
+  if (estimated_width(latex) <= widest) return false;
+  const std::vector<std::string> parts = pieces(latex);
+  return std::any_of(parts.begin(), parts.end(), [](const std::string& part) {
+    return estimated_width(part) > widest;
+  });
+}
+
 std::string breakable(const std::string& latex) {
   if (estimated_width(latex) <= surely_fits) return latex;
   std::vector<std::string> parts = pieces(latex);

@@ -15,6 +15,9 @@ int estimated_width(const std::string& latex);
 /// pieces of its brackets too. One piece where there is no such place.
 std::vector<std::string> pieces(const std::string& latex);
 
+/// Whether some piece that cannot be broken is so wide that it would be made too small to be read.
+bool is_too_wide(const std::string& latex);
+
 /// Mathematics as the macros of the style file want it: as it is where it surely fits on a line,
 /// else every piece in a \pps{...}.
 std::string breakable(const std::string& latex);

@@ -142,6 +142,39 @@ std::string chain_text(const CheckedChain& given, const Wording& wording) {
   return lines.empty() ? "\\ppalone{" + breakable(start) + "}\n" : chain(start, lines);
 }
 
+std::string readable_chain_text(const CheckedChain& given, Passage::Kind kind,
+                                const Wording& wording) {
+  const auto called = [&](Word word) { return "\\text{" + wording(word) + "}"; };
+  const bool witness = kind == Passage::Kind::witness;
+  std::string start = to_latex(given.start, wording.names);
+  bool begun = true;
+  if (is_too_wide(start)) {
+    begun = witness || kind == Passage::Kind::difference;
+    start = called(witness ? Word::left_side : Word::difference);
+  }
+  std::string lines;
+  for (std::size_t k = 0; k < given.links.size(); ++k) {
+    const Link& link = given.links[k].link;
+    std::string term = to_latex(link.term, wording.names);
+    if (is_too_wide(term)) {
+      if (!witness || k + 1 < given.links.size()) {
+        // Nothing can be said of what stands on the other side of another relation.
+        if (link.relation != Relation::equal) return "";
+        continue;
+      }
+      term = called(Word::right_side);
+    }
+    if (begun)
+      lines += line(relation_text(link.relation), term, reason_text(link.reason, wording));
+    else if (link.relation != Relation::equal)
+      return "";
+    else
+      start = term;
+    begun = true;
+  }
+  return lines.empty() ? "" : chain(start, lines);
+}
+
 std::string values_text(const std::vector<KnownValue>& values, const Wording& wording) {
   std::string text;
   bool zeros = false;

@@ -32,6 +32,12 @@ std::string equation_text(const std::string& left, const std::string& right);
 /// A chain that was decided, with its reasons.
 std::string chain_text(const CheckedChain& chain, const Wording& wording);
 
+/// The same without what is too wide to be read. Of a witness the start and the end are then called
+/// the left and the right side, of a difference the start its difference; other rows are left out.
+/// "" when nothing is left.
+std::string readable_chain_text(const CheckedChain& chain, Passage::Kind kind,
+                                const Wording& wording);
+
 /// The values one behind the other in running text, zeros left out: "$u = \tfrac{1}{2}$, …".
 std::string values_text(const std::vector<KnownValue>& values, const Wording& wording);
 

@@ -76,8 +76,11 @@ std::string_view style_file() {
 \newcommand\pps[1]{{}#1}
 \newcommand\pp@math[2]{\setbox#1\hbox{$\displaystyle #2$}}
 \newcommand\pp@fit[2]{\ifdim\wd#1>#2\setbox#1\hbox{\resizebox{#2}{!}{\box#1}}\fi}
-\newcommand\pp@strike[1]{\hbox{\rlap{\textcolor{ppbad}{\rule[.22em]{\wd#1}{.7pt}}}%
-  \unhbox#1}}
+% A rule through a line; from corner to corner through what is tall.
+\newcommand\pp@strike[1]{\hbox{\ifdim\dimexpr\ht#1+\dp#1>1.6\baselineskip
+    \rlap{\begin{tikzpicture}[baseline=0pt]\draw[ppbad,line width=.7pt](0,-\dp#1)--(\wd#1,\ht#1);%
+      \end{tikzpicture}}%
+  \else\rlap{\textcolor{ppbad}{\rule[.22em]{\wd#1}{.7pt}}}\fi\unhbox#1}}
 \newcommand\pp@sofar{\ifdim\ht\pp@result>0pt\unvbox\pp@result\vskip5pt\fi}
 % One finished row: what stands before it, the box with the row.
 \newcommand\pp@emit[2]{%
