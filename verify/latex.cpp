@@ -113,8 +113,21 @@ std::vector<Page> pages_of(const Report& report, const CheckOptions& check,
   return pages;
 }
 
+// The book would be written over the file of such a case.
+bool is_called_as_the_book(const std::vector<Page>& pages) {
+  if (pages.size() < 2) return false;
+  for (const Page& page : pages)
+    if (file_name(page.result.verified) == book_name) {
+      print_error("patchproof: the case 'book' has the file name of the book; write it alone, or "
+                  "give it another name\n");
+      return true;
+    }
+  return false;
+}
+
 bool written(const LatexArguments& arguments, const std::vector<Page>& pages,
              const DocumentOptions& options, const std::vector<std::string>& inputs) {
+  if (!options.fragment && is_called_as_the_book(pages)) return false;
   if (!write(arguments.folder, std::string{style_file_name}, std::string{style_file()}, inputs))
     return false;
   for (const Page& page : pages)
@@ -159,6 +172,12 @@ ExitCode run(const LatexArguments& arguments) {
     check.wanted = [&](const Case& of, const Claim& claim) {
       return selection.contains(of, claim);
     };
+  // No file that was read is written over, included ones neither.
+  std::vector<std::string> read;
+  check.load = [&read, load = check.load](const std::string& path) {
+    read.push_back(path);
+    return load(path);
+  };
   const FoundPaths paths = found_paths(arguments.check.paths);
   const std::vector<CaseFile> files = read_files(inputs(paths), check);
   if (!prepared(arguments.folder)) return ExitCode::unreadable;
@@ -181,7 +200,8 @@ ExitCode run(const LatexArguments& arguments) {
   ExitCode code = exit_code(report);
   say_what_is_empty(paths, selection, files, pages.empty());
   if (pages.empty()) return code;
-  if (!written(arguments, pages, options, paths.files)) return graver(code, ExitCode::unreadable);
+  read.insert(read.end(), paths.files.begin(), paths.files.end());
+  if (!written(arguments, pages, options, read)) return graver(code, ExitCode::unreadable);
   const std::string said =
       counted(pages.size(), "case") + " written to '" + arguments.folder + "'\n";
   if (!print(said)) return graver(code, ExitCode::unreadable);

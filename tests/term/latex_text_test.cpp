@@ -118,9 +118,9 @@ TEST_CASE("derivatives of curves carry marks, then a number in brackets") {
 }
 
 TEST_CASE("functions of numbers") {
-  CHECK(latex("sin(u)") == "\\sin u");
+  CHECK(latex("sin(u)") == "\\sin(u)");
   CHECK(latex("cos(2*u)") == "\\cos(2u)");
-  CHECK(latex("sin(pi*u)^2") == "\\sin(\\pi\\,u)^{2}");
+  CHECK(latex("sin(pi*u)^2") == "\\sin^{2}(\\pi\\,u)");
   CHECK(latex("exp(-u)") == "e^{-u}");
   CHECK(latex("sqrt(a + 1)") == "\\sqrt{a + 1}");
   CHECK(latex("bernstein(3, 1, u)") == "B_{1}^{3}(u)");

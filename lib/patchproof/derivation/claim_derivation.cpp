@@ -69,6 +69,12 @@ Passage witness_passage(const Goal& goal, const Decision& decision,
     else
       passage.given.known.push_back(value);
   }
+  // What was derived has a value there too.
+  for (const KnownValue& derived : known) {
+    const auto value =
+        computation.collected(replaced(derived.value, places), passage.given.known);
+    if (value && free_symbols(*value).empty()) passage.values.push_back({derived.symbol, *value});
+  }
   const Statement numeric =
       with_functions(goal.statements.at(decision.statement), functions, computation);
   const Term left = replaced(numeric.left, places);
@@ -102,8 +108,9 @@ Passage difference_passage(const Goal& goal, const Decision& decision,
   const Term difference = make_term(
       Operation::sum, type,
       {statement.left, make_term(Operation::negation, type, {statement.right})});
-  const std::optional<Term> value = computation.collected(difference);
-  if (!value || !computation.is_readable(*value)) return passage;
+  const std::optional<Term> value = computation.collected(difference, known);
+  if (!value || !computation.is_readable(*value) || computation.same(difference, *value))
+    return passage;
   passage.chains.push_back(
       {difference, {{Relation::equal, *value, {Reason::Kind::collected, {}}}}});
   return passage;

@@ -40,6 +40,7 @@ class Computation {
 
   /// The terms that have names, and more names for terms made on the way.
   std::vector<NamedTerm> named_terms() const { return names_.all(); }
+  const std::string* name_of(const Term& term) const { return names_.name_of(term); }
   void add_name(const Term& term, const std::string& name) { names_.add(term, name); }
 
   const Limits& limits() const { return limits_; }

@@ -1,8 +1,10 @@
 #include <patchproof/derivation/tidied.hpp>
 
+#include <algorithm>
 #include <map>
 #include <unordered_map>
 
+#include <patchproof/derivation/matrix_terms.hpp>
 #include <patchproof/derivation/shapes.hpp>
 #include <patchproof/term/binding.hpp>
 #include <patchproof/term/plain_text.hpp>
@@ -94,6 +96,11 @@ class Tidying {
     if (!is_zero_term(term)) parts.push_back(negative ? negated(term) : term);
   }
 
+  static bool has_bound_variables(const Term& term) {
+    if (term.operation() == Operation::lambda) return true;
+    return std::any_of(term.children().begin(), term.children().end(), has_bound_variables);
+  }
+
   // e + e is 2e. What cancels is left standing: a reader wants to see it go.
   static std::vector<Term> repeated_once(const std::vector<Term>& parts) {
     std::vector<Term> result;
@@ -101,10 +108,13 @@ class Tidying {
     std::map<std::string, std::size_t> places;
     for (const Term& part : parts) {
       const std::string text = to_text(part, 2 * longest_repeated);
-      // Long texts are cut off, and may be those of different terms.
-      const bool comparable = text.size() <= longest_repeated;
+      // Long texts are cut off, and bound variables are called as others are: such texts may be
+      // those of different terms.
+      const bool comparable = text.size() <= longest_repeated && !has_bound_variables(part);
+      std::string key = text;
+      for (const auto& [ordinal, symbol] : free_symbols(part)) key += " " + std::to_string(ordinal);
       const auto [place, fresh] =
-          comparable ? places.try_emplace(text, result.size()) : std::pair{places.end(), true};
+          comparable ? places.try_emplace(key, result.size()) : std::pair{places.end(), true};
       if (fresh) {
         result.push_back(part);
         counts.push_back(1);
@@ -212,45 +222,13 @@ class Tidying {
       if (!is_written_out(factor)) return term;
     Term result = term.child(0);
     for (std::size_t k = 1; k < term.children().size(); ++k)
-      result = of(product_of(result, term.child(k)));
+      result = of(matrix_product_of(result, term.child(k)));
     if (term.type().is_matrix() || !result.type().is_matrix()) return result;
     return result.child(0);
   }
 
-  static Term product_of(const Term& a, const Term& b) {
-    const auto size = [](int n) { return static_cast<std::size_t>(n); };
-    const std::size_t rows = size(a.type().rows);
-    const std::size_t middle = size(a.type().columns);
-    const std::size_t columns = size(b.type().columns);
-    const Type entry = a.type().inner->is_point() ? *a.type().inner : *b.type().inner;
-    std::vector<Term> entries;
-    for (std::size_t i = 0; i < rows; ++i) {
-      for (std::size_t j = 0; j < columns; ++j) {
-        std::vector<Term> parts;
-        for (std::size_t k = 0; k < middle; ++k) {
-          const Term& x = a.child(i * middle + k);
-          const Term& y = b.child(k * columns + j);
-          // Scalars stand before points.
-          std::vector<Term> factors =
-              x.type().is_point() ? std::vector<Term>{y, x} : std::vector<Term>{x, y};
-          parts.push_back(make_term(Operation::product, entry, std::move(factors)));
-        }
-        entries.push_back(sum_of(std::move(parts), entry));
-      }
-    }
-    return make_term(Operation::matrix,
-                     Type::matrix(a.type().rows, b.type().columns, entry), std::move(entries));
-  }
-
   static Term transpose(const Term& term) {
-    const Term& matrix = term.child(0);
-    if (!is_written_out(matrix)) return term;
-    const auto rows = static_cast<std::size_t>(matrix.type().rows);
-    const auto columns = static_cast<std::size_t>(matrix.type().columns);
-    std::vector<Term> entries;
-    for (std::size_t j = 0; j < columns; ++j)
-      for (std::size_t i = 0; i < rows; ++i) entries.push_back(matrix.child(i * columns + j));
-    return make_term(Operation::matrix, term.type(), std::move(entries));
+    return is_written_out(term.child(0)) ? transposed(term.child(0)) : term;
   }
 
   static Term component(const Term& term) {

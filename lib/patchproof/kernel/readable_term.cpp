@@ -71,9 +71,33 @@ class Writer {
   }
 
   Term variable(Variable v, const Type& wanted) {
-    const Atom& atom = workspace_.atoms[v];
-    if (wanted.is_point() && is_point(atom, wanted)) return whole_term(atom, workspace_.atoms);
-    return scalar_term(Fraction{Polynomial::variable(v)}, workspace_.atoms);
+    // A copy: writing the arguments may make new atoms.
+    const Atom atom = workspace_.atoms[v];
+    switch (atom.kind) {
+      case Atom::Kind::sine: return elementary(Operation::sine, atom);
+      case Atom::Kind::cosine: return elementary(Operation::cosine, atom);
+      case Atom::Kind::exponential: return elementary(Operation::exponential, atom);
+      case Atom::Kind::root: return elementary(Operation::square_root, atom);
+      case Atom::Kind::symbol:
+      case Atom::Kind::jet: break;
+      default: return scalar_term(Fraction{Polynomial::variable(v)}, workspace_.atoms);
+    }
+    const Term all = whole(atom);
+    if (!all.type().is_point() || (wanted.is_point() && is_point(atom, wanted))) return all;
+    return make_term(Operation::component, Type::scalar(), {all}, Indices{atom.component});
+  }
+
+  Term elementary(Operation operation, const Atom& atom) {
+    return make_term(operation, Type::scalar(), {scalar(atom.arguments.front())});
+  }
+
+  // As `whole_term`, with arguments in the order a person writes.
+  Term whole(const Atom& atom) {
+    const Term plain = whole_term(atom, workspace_.atoms);
+    if (atom.kind == Atom::Kind::symbol) return plain;
+    std::vector<Term> children{plain.child(0)};
+    for (const Fraction& argument : atom.arguments) children.push_back(scalar(argument));
+    return make_term(Operation::apply, plain.type(), std::move(children));
   }
 
   void append_powers(const Monomial& monomial, const Type& type, std::vector<Term>& factors) {

@@ -44,7 +44,7 @@ std::string minimum_text(const MinimumClaim& claim, const Wording& wording) {
   const std::string competitor = to_latex(goal.membership.left, wording.names);
   return "\\ppalone{" + breakable(candidate) + "}\n" + paragraph(wording(Word::minimizes)) +
          "\\ppalone{" + breakable(competitor) + "}\n" + paragraph(wording(Word::where)) +
-         relations_text(goal.constraints, wording);
+         relations_text(goal.constraints, wording) + statements_text(goal.goal.statements, wording);
 }
 
 Word opening_of(Passage::Kind kind) {
@@ -202,7 +202,8 @@ std::string passages_text(const CheckedDerivation& derivation, const Wording& wo
 }
 
 std::string claim_text(const ClaimResult& result, const ClaimDerivation& derivation,
-                       bool goes_on_with_erratum, const Wording& wording) {
+                       bool goes_on_with_erratum, const Wording& wording,
+                       const std::string& remark) {
   const Claim& claim = result.claim;
   const bool printed = claim.verb == "printed";
   const bool erratum = printed || claim.verb == "corrected";
@@ -213,6 +214,7 @@ std::string claim_text(const ClaimResult& result, const ClaimDerivation& derivat
   if (erratum) text += paragraph(wording(printed ? Word::printed : Word::corrected) + ":");
   const std::string statement = statement_text(claim, wording);
   text += printed ? "\\begin{ppstruck}\n" + statement + "\\end{ppstruck}\n" : statement;
+  text += remark;
   if (!derivation.derivation.passages().empty())
     text += passages_text(derivation.derivation, wording);
   if (!has_passage(derivation.derivation, Passage::Kind::result))

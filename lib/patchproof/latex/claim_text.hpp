@@ -18,9 +18,10 @@ std::string definitions_text(const CheckedDerivation& derivation, const Wording&
 std::string passages_text(const CheckedDerivation& derivation, const Wording& wording);
 
 /// A claim with heading, statement, derivation and verdict. A claim that corrects the erratum right
-/// before it has no heading of its own.
+/// before it has no heading of its own. The remark stands behind the statement.
 std::string claim_text(const ClaimResult& result, const ClaimDerivation& derivation,
-                       bool goes_on_with_erratum, const Wording& wording);
+                       bool goes_on_with_erratum, const Wording& wording,
+                       const std::string& remark = "");
 
 /// "south" for the two parts of an erratum, "south.printed" and "south.corrected"; else the label.
 std::string common_label(const Claim& claim);

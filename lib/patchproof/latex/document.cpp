@@ -54,7 +54,8 @@ std::string body(const Page& page, const DocumentOptions& options) {
     const Claim& claim = result.claim;
     const bool goes_on = claim.verb == "corrected" && erratum == common_label(claim);
     erratum = claim.verb == "printed" ? common_label(claim) : "";
-    text += place_comment(claim) + claim_text(result, item, goes_on, wording);
+    text += place_comment(claim) + claim_text(result, item, goes_on, wording,
+                                              later_assumptions_text(given, claim, wording));
   }
   return text;
 }

@@ -81,7 +81,8 @@ std::string entry_text(const Case& given, const Declaration& declaration, const 
     // Of a given degree: its coefficients are what is given.
     std::string text = latex_name(declaration.name, wording.names.notation).text() + "(";
     for (const SymbolPointer& formal : term.formals())
-      text += (text.back() == '(' ? "" : ",") + formal->name;
+      text += (text.back() == '(' ? "" : ",") +
+              latex_name(formal->name, wording.names.notation).text();
     return "$" + text + ")$";
   }
   if (term.operation() != Operation::symbol)
@@ -158,6 +159,19 @@ std::string assumptions_text(const Case& given, const Wording& wording) {
   }
   if (text.empty()) return "";
   return "\\ppheading{" + wording(Word::assumptions) + "}\n" + text;
+}
+
+std::string later_assumptions_text(const Case& given, const Claim& claim,
+                                   const Wording& wording) {
+  std::string labels;
+  for (std::size_t k = 0; k < given.assumptions.size(); ++k) {
+    const WrittenAssumption& written = given.assumptions[k];
+    if (goal_of(claim).assumptions.size() >= written.first + written.count) continue;
+    const std::string name = written.label.empty() ? std::to_string(k + 1) : written.label;
+    labels += (labels.empty() ? "" : ", ") + std::string{"\\pplabel{"} + latex_escaped(name) + "}";
+  }
+  if (labels.empty()) return "";
+  return "\\pptext{(" + wording(Word::assumed_later) + ": " + labels + ")}\n";
 }
 
 std::string title_text(const Case& given, Language language) {

@@ -18,6 +18,9 @@ std::string given_text(const Case& given, const Wording& wording);
 /// The assumptions of a case with their labels and the notes of the author; "" without any.
 std::string assumptions_text(const Case& given, const Wording& wording);
 
+/// Which assumptions of the case the claim does not have, as it stands above them; "" for none.
+std::string later_assumptions_text(const Case& given, const Claim& claim, const Wording& wording);
+
 /// The goal of a claim of any kind.
 const Goal& goal_of(const Claim& claim);
 

@@ -210,7 +210,8 @@ std::string symbol_text(const Symbol& symbol, const Wording& wording) {
   if (symbol.role != Symbol::Role::function) return text;
   std::string parameters;
   for (const std::string& parameter : symbol.type.parameters)
-    parameters += (parameters.empty() ? "" : ",") + parameter;
+    parameters += (parameters.empty() ? "" : ",") +
+                  latex_name(parameter, wording.names.notation).text();
   return text + "(" + parameters + ")";
 }
 

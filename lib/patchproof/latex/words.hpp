@@ -33,6 +33,7 @@ enum class Word {
   source,
   section,
   example_values,
+  assumed_later,
   page,
   by_machine,
   // what is given: one, and several

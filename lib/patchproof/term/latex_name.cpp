@@ -67,7 +67,9 @@ std::string array_index(const std::string& inside) {
 // A notation like "C_1" or "\mathbf r_{01}": the last index at its end apart from the letters.
 LatexName parted(const std::string& notation) {
   const std::size_t underscore = notation.rfind('_');
-  if (underscore == std::string::npos || underscore == 0) return {notation, ""};
+  const bool escaped = underscore != std::string::npos && underscore > 0 &&
+                       notation[underscore - 1] == '\\';
+  if (underscore == std::string::npos || underscore == 0 || escaped) return {notation, ""};
   const std::string index = notation.substr(underscore + 1);
   if (index.size() == 1) return {notation.substr(0, underscore), index};
   const bool braced = index.size() > 2 && index.front() == '{' && index.find('}') == index.size() - 1;
@@ -79,8 +81,9 @@ LatexName parted(const std::string& notation) {
 
 std::string LatexName::text() const {
   if (index.empty()) return letters;
-  // TeX takes one subscript: that of a notation goes into braces.
-  const std::string base = letters.find('_') == std::string::npos ? letters : "{" + letters + "}";
+  // TeX takes one subscript: behind that of a notation an empty sign carries the index. Braces do not
+  // help, as TeX takes them away from an accent.
+  const std::string base = letters.find('_') == std::string::npos ? letters : "{" + letters + "}{}";
   return base + "_" + (index.size() == 1 ? index : "{" + index + "}");
 }
 

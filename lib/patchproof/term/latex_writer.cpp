@@ -98,7 +98,11 @@ std::string LatexWriter::unnamed(const Term& term) {
   switch (term.operation()) {
     case Operation::number: return number_text(term.number());
     case Operation::pi: return "\\pi";
-    case Operation::symbol: return latex_name(term.symbol()->name, names_.notation).text();
+    case Operation::symbol: {
+      const auto other = renamed_.find(term.symbol()->ordinal);
+      return other == renamed_.end() ? latex_name(term.symbol()->name, names_.notation).text()
+                                     : other->second;
+    }
     case Operation::tuple:
       return term.children().size() == 1 ? of(term.child(0)) : latex_bracketed(list(term.children()));
     case Operation::matrix: return matrix(term);
@@ -109,13 +113,18 @@ std::string LatexWriter::unnamed(const Term& term) {
     case Operation::quotient: return quotient(term);
     case Operation::power:
       if (term.exponent() == 1) return of(term.child(0));
+      if (const Term& base = term.child(0);
+          term.exponent() > 1 && !name_of(base) &&
+          (base.operation() == Operation::sine || base.operation() == Operation::cosine))
+        return (base.operation() == Operation::sine ? "\\sin^{" : "\\cos^{") +
+               std::to_string(term.exponent()) + "}" + elementary_argument(base.child(0));
       return latex_base(within(term.child(0), Binding::primary)) + "^{" +
              std::to_string(term.exponent()) + "}";
     case Operation::sine: return "\\sin" + elementary_argument(term.child(0));
     case Operation::cosine: return "\\cos" + elementary_argument(term.child(0));
     case Operation::exponential: return "e^{" + of(term.child(0)) + "}";
     case Operation::square_root: return "\\sqrt{" + of(term.child(0)) + "}";
-    case Operation::lambda: return of(term.child(0));
+    case Operation::lambda: return lambda(term);
     case Operation::apply: return apply(term);
     case Operation::derivative: return derivative(term);
     case Operation::component: return component(term);
@@ -134,6 +143,23 @@ std::string LatexWriter::unnamed(const Term& term) {
     case Operation::definition: return definition(term);
   }
   return "";
+}
+
+// A function is written as its value; where one of its parameters is called as something else in
+// it, with the parameters.
+std::string LatexWriter::lambda(const Term& term) {
+  const std::map<unsigned, std::string> before = renamed_;
+  const bool any = rename_formals(term);
+  if (!any) {
+    renamed_ = before;
+    return of(term.child(0));
+  }
+  std::string parameters;
+  for (const SymbolPointer& formal : term.formals())
+    parameters += (parameters.empty() ? "" : ", ") + of(symbol_term(formal));
+  const std::string text = "\\bigl(" + parameters + " \\mapsto " + of(term.child(0)) + "\\bigr)";
+  renamed_ = before;
+  return text;
 }
 
 std::string LatexWriter::sum(const Term& term) {
@@ -190,9 +216,8 @@ std::string LatexWriter::quotient(const Term& term) {
 }
 
 std::string LatexWriter::elementary_argument(const Term& argument) {
-  const std::string text = of(argument);
-  return is_name(argument) || argument.operation() == Operation::pi ? " " + text
-                                                                    : latex_bracketed(text);
+  // Always in brackets: a factor or a power behind it must not be taken for a part of it.
+  return latex_bracketed(of(argument));
 }
 
 std::string LatexWriter::infix(const Term& term, const std::string& sign) {
@@ -205,12 +230,12 @@ std::string LatexWriter::infix(const Term& term, const std::string& sign) {
 
 std::string latex_base(const std::string& text) {
   const bool has_superscript = text.find_first_of("^'") != std::string::npos;
-  return has_superscript && text.back() != ')' ? "{" + text + "}" : text;
+  return has_superscript && text.back() != ')' ? latex_bracketed(text) : text;
 }
 
 std::string latex_subscript(const std::string& text, const std::string& index) {
   const bool has_subscript = text.find('_') != std::string::npos && text.back() != ')';
-  return (has_subscript ? "{" + text + "}" : text) + "_{" + index + "}";
+  return (has_subscript ? latex_bracketed(text) : text) + "_{" + index + "}";
 }
 
 }  // namespace patchproof

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,16 +61,21 @@ class LatexWriter {
   std::string definition(const Term& term);
   static std::string words(const std::string& name);
 
+  std::string lambda(const Term& term);
+  bool rename_formals(const Term& lambda);
+
   const LatexNames& names_;
+  /// Bound variables that are written by another letter.
+  std::map<unsigned, std::string> renamed_;
 };
 
 /// In brackets, which grow with what is tall.
 std::string latex_bracketed(const std::string& text);
 
-/// What a superscript can be put on: in braces where it has one already.
+/// What a superscript can be put on: in brackets where it has one already.
 std::string latex_base(const std::string& text);
 
-/// The text with an index; in braces where it has one already.
+/// The text with an index; in brackets where it has one already.
 std::string latex_subscript(const std::string& text, const std::string& index);
 
 }  // namespace patchproof

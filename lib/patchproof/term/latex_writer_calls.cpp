@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include <patchproof/term/latex_writer.hpp>
 #include <patchproof/term/replacement.hpp>
@@ -171,17 +172,50 @@ std::string LatexWriter::basis_function(const Term& term) {
 }
 
 std::string LatexWriter::integral(const Term& term) {
-  const std::vector<std::string>& parameters = term.child(0).type().parameters;
+  const Term& function = term.child(0);
+  const std::map<unsigned, std::string> before = renamed_;
+  if (function.operation() == Operation::lambda) rename_formals(function);
   std::string signs;
   std::string differentials;
+  const std::vector<std::string>& parameters = function.type().parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const std::string sign = "\\int_{" + of(term.child(2 * k + 1)) + "}^{" +
                              of(term.child(2 * k + 2)) + "}";
     signs = sign + (signs.empty() ? "" : "\\!") + signs;
-    differentials += "\\,\\mathrm{d}" + parameter_text(parameters[k]);
+    differentials += "\\,\\mathrm{d}" + (function.operation() == Operation::lambda
+                                           ? of(symbol_term(function.formals()[k]))
+                                           : parameter_text(parameters[k]));
   }
-  return signs + " " + within(term.child(0), Binding::product) + differentials;
+  const Term& integrand =
+      function.operation() == Operation::lambda ? function.child(0) : function;
+  const std::string text = signs + " " + within(integrand, Binding::product) + differentials;
+  renamed_ = before;
+  return text;
 }
+
+// A bound variable that is called as something free inside of it gets another letter: the integral
+// of f(t u) over u at t = u is not one of f(u u).
+bool LatexWriter::rename_formals(const Term& lambda) {
+  std::set<std::string> taken;
+  for (const auto& [ordinal, symbol] : free_symbols(lambda)) {
+    const auto other = renamed_.find(ordinal);
+    taken.insert(other == renamed_.end() ? latex_name(symbol->name, names_.notation).text()
+                                         : other->second);
+  }
+  bool any = false;
+  for (const SymbolPointer& formal : lambda.formals()) {
+    std::string name = latex_name(formal->name, names_.notation).text();
+    for (const char* letter : {"s", "\\sigma", "\\tau", "\\xi", "\\eta", "\\zeta", "\\theta"}) {
+      if (!taken.contains(name)) break;
+      any = true;
+      name = letter;
+    }
+    renamed_[formal->ordinal] = name;
+    taken.insert(name);
+  }
+  return any;
+}
+
 
 std::string LatexWriter::definition(const Term& term) {
   const bool plain = has_plain_name(term);
