@@ -6,6 +6,7 @@
 
 #include <patchproof/derivation/claim_derivation.hpp>
 #include <patchproof/derivation/shapes.hpp>
+#include <patchproof/derivation/tidied.hpp>
 #include <patchproof/term/latex_name.hpp>
 
 namespace patchproof {
@@ -62,7 +63,8 @@ Derivation definitions_of(const Case& given, Computation& computation) {
       const std::string* name = computation.name_of(term);
       if (name == nullptr || *name != declaration.name) continue;
       if (computation.is_brief(term))
-        passage.chains.push_back({term, {{Relation::equal, without_name(term), {}}}});
+        // Nets written by a formula are full of 0 and 1.
+        passage.chains.push_back({term, {{Relation::equal, tidied(without_name(term)), {}}}});
       continue;
     }
     if (term.operation() != Operation::lambda) continue;
