@@ -204,7 +204,7 @@ TEST_CASE("control points that were derived follow those that are given") {
   Budget budget{Limits{}};
   Workspace workspace{budget};
   const Studio studio{result, {"b"}, workspace};
-  const ControlNet& net = *studio.subjects()[0].net;
+  const DrawnNet& net = *studio.subjects()[0].net;
   CHECK(net.rows == 4);
   CHECK(net.columns == 4);
   CHECK(net.at(1, 1) == net.at(1, 0) + net.at(0, 1) - net.at(0, 0));

@@ -53,7 +53,7 @@ Figure curve_figure(Studio& studio, const FigureOptions& options) {
     std::vector<Point> line;
     for (long k = 0; k <= count; ++k) line.push_back(subject.at({Rational{k, count}}));
     const Point centre = Rational{1, 2} * (line.front() + line.back());
-    std::optional<ControlNet> net = subject.net;
+    std::optional<DrawnNet> net = subject.net;
     if (!net && options.net) net = bezier_net_of(subject);
     if (net) {
       scene.add_line(net->points, Ink::net);

@@ -219,7 +219,7 @@ Point Studio::point_of(const std::vector<Fraction>& coordinates) {
   return result;
 }
 
-std::optional<ControlNet> Studio::net_of(const Term& term) {
+std::optional<DrawnNet> Studio::net_of(const Term& term) {
   static const std::set<std::string, std::less<>> with_net{"bezier", "bezier_patch",
                                                            "bezier_curve"};
   switch (term.operation()) {
@@ -240,7 +240,7 @@ std::optional<ControlNet> Studio::net_of(const Term& term) {
   const Term& matrix = term.child(1);
   const Type& type = matrix.type();
   if (!type.is_matrix() || !type.inner->is_point()) return std::nullopt;
-  ControlNet net{static_cast<std::size_t>(type.rows), static_cast<std::size_t>(type.columns), {}};
+  DrawnNet net{static_cast<std::size_t>(type.rows), static_cast<std::size_t>(type.columns), {}};
   const auto width = type.inner->component_count();
   const bool any = type.inner->dimension == Type::any_dimension;
   for (std::size_t k = 0; k < net.rows * net.columns; ++k) {

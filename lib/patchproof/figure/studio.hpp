@@ -20,7 +20,7 @@ class CannotDraw : public std::runtime_error {
 };
 
 /// A control net: rows belong to the first parameter. A curve has one column.
-struct ControlNet {
+struct DrawnNet {
   std::size_t rows = 0;
   std::size_t columns = 0;
   std::vector<Point> points;
@@ -38,7 +38,7 @@ struct Subject {
   /// Lies in a plane and is drawn there.
   bool is_plane = false;
   /// Of a term that is said to be a Bézier curve or patch.
-  std::optional<ControlNet> net;
+  std::optional<DrawnNet> net;
 
   bool is_surface() const { return function.parameter_count() == 2; }
   /// The point at a place of the domain, of a graph the point above it.
@@ -79,7 +79,7 @@ class Studio {
   Subject made(const std::string& name, const Term& term, const std::vector<Variable>& variables,
                const std::vector<std::string>& names, const Type& value);
   std::vector<Fraction> coordinates(const Term& term);
-  std::optional<ControlNet> net_of(const Term& term);
+  std::optional<DrawnNet> net_of(const Term& term);
   Point point_of(const std::vector<Fraction>& coordinates);
   ParameterInterval interval(const std::string& parameter, Variable own,
                              const std::vector<Variable>& variables,

@@ -79,7 +79,7 @@ Figure surface_figure(Studio& studio, const FigureOptions& options) {
     }
     add_boundary(grid, Ink::boundary, scene);
     // Several nets at once are a tangle, and have to be asked for.
-    std::optional<ControlNet> net = grids.size() == 1 || options.net ? subject.net : std::nullopt;
+    std::optional<DrawnNet> net = grids.size() == 1 || options.net ? subject.net : std::nullopt;
     if (!net && options.net) net = bezier_net_of(subject);
     if (net && !options.zebra) add_net(*net, 3 * lift, scene);
     if (options.twists) add_twists(subject, grid, scene);

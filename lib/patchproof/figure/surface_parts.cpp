@@ -82,7 +82,7 @@ void add_boundary(const Grid& grid, Ink ink, Scene& scene) {
   }
 }
 
-void add_net(const ControlNet& net, const Rational& lift, Scene& scene) {
+void add_net(const DrawnNet& net, const Rational& lift, Scene& scene) {
   // Short pieces, so that each is hidden or not by itself.
   constexpr long pieces = 12;
   const auto add_leg = [&](const Point& from, const Point& to) {
@@ -98,7 +98,7 @@ void add_net(const ControlNet& net, const Rational& lift, Scene& scene) {
     }
 }
 
-std::optional<ControlNet> bezier_net_of(const Subject& subject) {
+std::optional<DrawnNet> bezier_net_of(const Subject& subject) {
   constexpr unsigned greatest_degree = 9;
   const std::vector<Variable>& variables = subject.function.variables();
   std::array<unsigned, 2> degrees{0, 0};
@@ -119,7 +119,7 @@ std::optional<ControlNet> bezier_net_of(const Subject& subject) {
     for (unsigned i = 0; i < k; ++i) result *= Rational{n - i, i + 1};
     return result;
   };
-  ControlNet net{degrees[0] + 1, degrees[1] + 1, {}};
+  DrawnNet net{degrees[0] + 1, degrees[1] + 1, {}};
   net.points.assign(net.rows * net.columns, Point{});
   for (std::size_t c = 0; c < subject.function.coordinates().size(); ++c)
     for (const auto& term : subject.function.coordinates()[c].numerator().terms()) {

@@ -34,10 +34,10 @@ void add_boundary(const Grid& grid, Ink ink, Scene& scene);
 void add_zebra(const Subject& patch, const Grid& grid, Scene& scene);
 
 /// Legs and points of a control net; legs are hidden where the surface is in front.
-void add_net(const ControlNet& net, const Rational& lift, Scene& scene);
+void add_net(const DrawnNet& net, const Rational& lift, Scene& scene);
 
 /// The control net of a polynomial patch or curve of degree up to 9; empty for any other.
-std::optional<ControlNet> bezier_net_of(const Subject& subject);
+std::optional<DrawnNet> bezier_net_of(const Subject& subject);
 
 /// Names of control points, corners and boundary curves.
 void add_names(const Subject& patch, const Grid& grid, Studio& studio, Scene& scene);
