@@ -85,4 +85,12 @@ TEST_CASE("a matrix of symbols that is no array of its own is written out") {
                  "\\begin{ppchain}{M}\n  \\ppline{=}{\\begin{pmatrix} b & a \\\\ a & a \\end{pmatrix}}{}"));
 }
 
+TEST_CASE("a claim of instance 10 uses what was derived for 10, not for 1") {
+  const std::string page = page_of(
+      "case c\n  scalar x, y\n  derive one: x from x == i*y gives i*y for i in 1..10\n"
+      "  prove p: x == i*y using one for i in 1..10\n"
+      "  refute r: x == y using one for i in 10..10\nend\n");
+  CHECK(contains(page, "$y = 1$, $x = 10$"));
+}
+
 }  // namespace patchproof

@@ -87,9 +87,9 @@ Decision decide_minimum(const MinimumClaim& claim, const std::vector<KnownValue>
   return minimum(goal, given.limits, engines);
 }
 
+// `known` is filled with the values of the derivations that are used.
 Decision decide(const Claim& claim, const Derivations& derivations, const Case& given,
-                Engines engines) {
-  std::vector<KnownValue> known;
+                Engines engines, std::vector<KnownValue>& known) {
   std::vector<Assumption> agreements;
   std::vector<std::string> conditions;
   for (const std::string& label : claim.uses) {
@@ -143,7 +143,9 @@ CaseResult verified(const Case& given, const VerificationOptions& options) {
     if (!wanted && claim.verb != "derive") continue;
     if (wanted && options.progress) options.progress(claim);
     const auto start = std::chrono::steady_clock::now();
-    ClaimResult decided_claim{claim, decide(claim, derivations, given, options.engines), {}, {}};
+    ClaimResult decided_claim{claim, {}, {}, {}};
+    decided_claim.decision =
+        decide(claim, derivations, given, options.engines, decided_claim.known);
     decided_claim.time = std::chrono::duration_cast<std::chrono::microseconds>(
         std::chrono::steady_clock::now() - start);
     const Decision& decision = decided_claim.decision;

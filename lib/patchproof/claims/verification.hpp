@@ -26,6 +26,8 @@ struct ClaimResult {
   Decision decision;
   Outcome outcome = Outcome::unknown;
   std::chrono::microseconds time{0};
+  /// What the derivations it uses have found, those of its own instance.
+  std::vector<KnownValue> known = {};
 };
 
 /// What `show` asked for: the term as written and its normal form, or why it has none; of a joint

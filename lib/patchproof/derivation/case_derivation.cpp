@@ -76,19 +76,6 @@ Derivation definitions_of(const Case& given, Computation& computation) {
   return {{passage}};
 }
 
-// What the derivations used by a claim have found, of its own instance or of all.
-std::vector<KnownValue> known_to(const Claim& claim, const CaseResult& result) {
-  std::vector<KnownValue> known;
-  std::set<unsigned> seen;
-  for (const std::string& label : claim.uses)
-    for (const ClaimResult& other : result.claims)
-      if (other.claim.label == label && claim.instance.rfind(other.claim.instance.substr(
-              0, other.claim.instance.empty() ? 0 : other.claim.instance.size() - 1), 0) == 0)
-        for (const KnownValue& value : other.decision.solution)
-          if (seen.insert(value.symbol->ordinal).second) known.push_back(value);
-  return known;
-}
-
 // Instances of a family that are decided in the same way: place and label, verdict, outcome, and
 // whether there are conditions.
 using Likeness = std::tuple<std::size_t, std::string, Verdict, Outcome, Evidence, bool>;
@@ -116,7 +103,7 @@ CaseDerivation case_derivation(const CaseResult& result, Detail detail, Engines 
     ClaimDerivation item{k, 0, {}};
     if (detail != Detail::result)
       item.derivation = CheckedDerivation{
-          claim_derivation(claim, known_to(claim.claim, result), computation),
+          claim_derivation(claim, claim.known, computation),
           result.verified.limits, engines};
     derivation.claims.push_back(std::move(item));
   }
