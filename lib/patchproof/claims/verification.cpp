@@ -87,10 +87,12 @@ Decision decide_minimum(const MinimumClaim& claim, const std::vector<KnownValue>
   return minimum(goal, given.limits, engines);
 }
 
-// `known` is filled with the values of the derivations that are used.
-Decision decide(const Claim& claim, const Derivations& derivations, const Case& given,
-                Engines engines, std::vector<KnownValue>& known) {
-  std::vector<Assumption> agreements;
+// Decides the claim of the result, and notes there what it uses.
+Decision decide(ClaimResult& result_of_claim, const Derivations& derivations, const Case& given,
+                Engines engines) {
+  const Claim& claim = result_of_claim.claim;
+  std::vector<KnownValue>& known = result_of_claim.known;
+  std::vector<Assumption>& agreements = result_of_claim.agreements;
   std::vector<std::string> conditions;
   for (const std::string& label : claim.uses) {
     const Handed* found = derivation_for(label, claim.instance, derivations);
@@ -144,8 +146,7 @@ CaseResult verified(const Case& given, const VerificationOptions& options) {
     if (wanted && options.progress) options.progress(claim);
     const auto start = std::chrono::steady_clock::now();
     ClaimResult decided_claim{claim, {}, {}, {}};
-    decided_claim.decision =
-        decide(claim, derivations, given, options.engines, decided_claim.known);
+    decided_claim.decision = decide(decided_claim, derivations, given, options.engines);
     decided_claim.time = std::chrono::duration_cast<std::chrono::microseconds>(
         std::chrono::steady_clock::now() - start);
     const Decision& decision = decided_claim.decision;

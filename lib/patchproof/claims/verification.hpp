@@ -28,6 +28,8 @@ struct ClaimResult {
   std::chrono::microseconds time{0};
   /// What the derivations it uses have found, those of its own instance.
   std::vector<KnownValue> known = {};
+  /// Where two of them have found a value of one unknown: that the values agree.
+  std::vector<Assumption> agreements = {};
 };
 
 /// What `show` asked for: the term as written and its normal form, or why it has none; of a joint
