@@ -122,43 +122,52 @@ class SequentSearch {
     return false;
   }
 
-  // What is known not to vanish: taken out of the divisor, the rest has to have a sign, or to be one of
-  // the conditions of the verdict.
+  // What is known not to vanish is taken out of the divisor; the rest has to have a sign, or to be one
+  // of the conditions of the verdict.
   void add_not_zero(const Condition& divisor, SequentProof& result) {
     if (divisor.kind != Condition::Kind::not_zero)
       throw NotFound{"a root of what is not a number"};
+    Divisor hint{number_term(1), {}};
     Polynomial rest = divisor.polynomial;
-    for (std::size_t k = 0; k < sequent_.hypotheses.size(); ++k) {
+    for (std::size_t k = 0; k < sequent_.hypotheses.size() && !rest.is_constant(); ++k) {
       const Statement& s = sequent_.hypotheses[k].statement;
       if (s.relation != Relation::not_equal || !s.left.type().is_scalar()) continue;
-      const Fraction d =
-          difference(evaluator_.value(s.left).components.front(),
-                     evaluator_.value(s.right).components.front(), workspace_.budget);
-      bool divides = false;
-      while (!rest.is_constant() && !d.numerator().is_constant()) {
-        const std::optional<Polynomial> next = quotient(rest, d.numerator(), workspace_.budget);
-        if (!next) break;
+      const Polynomial d = difference(evaluator_.value(s.left).components.front(),
+                                      evaluator_.value(s.right).components.front(),
+                                      workspace_.budget)
+                               .numerator();
+      if (d.is_constant()) continue;
+      const Term scalar = difference_term(s.left, s.right);
+      while (const std::optional<Polynomial> next = quotient(rest, d, workspace_.budget)) {
         rest = *next;
-        divides = true;
+        hint.product.push_back(place_of({scalar, k, std::nullopt, false}, result));
       }
-      if (!rest.is_constant() && quotient(d.numerator(), rest, workspace_.budget)) {
+      const std::optional<Polynomial> more = quotient(d, rest, workspace_.budget);
+      if (!rest.is_constant() && more) {
         rest = Polynomial{Rational{1}};
-        divides = true;
+        hint.factor = scalar_term(*more, workspace_.atoms);
+        hint.product.push_back(place_of({scalar, k, std::nullopt, false}, result));
       }
-      if (divides) add_once({scalar_term(d, workspace_.atoms), k, std::nullopt, false}, result);
     }
-    if (rest.is_constant()) return;
-    for (const bool negative : {false, true}) {
-      std::optional<SignProof> found = sign(negative ? scaled(rest, -1) : rest, true);
-      if (!found) continue;
-      add_once({scalar_term(rest, workspace_.atoms), std::nullopt, std::move(found), negative},
-               result);
-      return;
-    }
-    add_condition(rest, result);
+    if (!rest.is_constant()) hint.product.push_back(place_of(with_sign(rest), result));
+    if (!hint.product.empty()) result.divisors.push_back(std::move(hint));
   }
 
-  void add_condition(const Polynomial& rest, SequentProof& result) {
+  static Term difference_term(const Term& a, const Term& b) {
+    return make_term(Operation::sum, Type::scalar(),
+                     {a, make_term(Operation::negation, Type::scalar(), {b})});
+  }
+
+  NonZero with_sign(const Polynomial& rest) {
+    for (const bool negative : {false, true}) {
+      std::optional<SignProof> found = sign(negative ? scaled(rest, -1) : rest, true);
+      if (found)
+        return {scalar_term(rest, workspace_.atoms), std::nullopt, std::move(found), negative};
+    }
+    return as_condition(rest);
+  }
+
+  NonZero as_condition(const Polynomial& rest) {
     const Conditions one{{Condition::Kind::not_zero, primitive(rest).polynomial}};
     const std::string words = in_words(one, sequent_.conclusions, workspace_).front();
     if (std::find(conditions_.begin(), conditions_.end(), words) == conditions_.end())
@@ -166,15 +175,16 @@ class SequentSearch {
     const Term scalar = scalar_term(primitive(rest).polynomial, workspace_.atoms);
     sequent_.hypotheses.push_back(
         {"condition", {scalar, Relation::not_equal, number_term(0), Span{}}});
-    add_once({scalar, sequent_.hypotheses.size() - 1, std::nullopt, false}, result);
+    return {difference_term(scalar, number_term(0)), sequent_.hypotheses.size() - 1, std::nullopt,
+            false};
   }
 
-  static void add_once(NonZero item, SequentProof& result) {
-    const bool known = std::any_of(
-        result.not_zero.begin(), result.not_zero.end(), [&](const NonZero& other) {
-          return item.hypothesis && other.hypothesis == item.hypothesis;
-        });
-    if (!known) result.not_zero.push_back(std::move(item));
+  // A hypothesis is named once.
+  static std::size_t place_of(NonZero item, SequentProof& result) {
+    for (std::size_t k = 0; k < result.not_zero.size(); ++k)
+      if (item.hypothesis && result.not_zero[k].hypothesis == item.hypothesis) return k;
+    result.not_zero.push_back(std::move(item));
+    return result.not_zero.size() - 1;
   }
 
   Sequent sequent_;

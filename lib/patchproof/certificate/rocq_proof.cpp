@@ -1,0 +1,406 @@
+#include <patchproof/certificate/rocq_proof.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include <patchproof/certificate/scalar_nodes.hpp>
+#include <patchproof/certificate/sequents.hpp>
+
+namespace patchproof {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& parts, const std::string& between) {
+  std::string result;
+  for (std::size_t k = 0; k < parts.size(); ++k) result += (k == 0 ? "" : between) + parts[k];
+  return result;
+}
+
+std::string listed(const std::vector<std::string>& parts) {
+  return parts.empty() ? "[]" : "[" + joined(parts, ";\n      ") + "]";
+}
+
+// A proof of P1 /\ (P2 /\ … True).
+std::string conjunction(const std::vector<std::string>& proofs) {
+  std::string result = "I";
+  for (std::size_t k = proofs.size(); k-- > 0;) result = "(conj " + proofs[k] + " " + result + ")";
+  return result;
+}
+
+std::string bracketed(const std::string& text) {
+  return text.find(' ') == std::string::npos || text.front() == '(' ? text : "(" + text + ")";
+}
+
+std::string rational(const Rational& q) {
+  return "(" + boost::multiprecision::numerator(q).str() + " # " +
+         boost::multiprecision::denominator(q).str() + ")";
+}
+
+constexpr const char* computed = "vm_cast_no_check (eq_refl true)";
+
+class ProofWriter {
+ public:
+  ProofWriter(const SequentProof& proof, RocqSequent& sequent, Scalars& scalars, RocqNames& names,
+              RocqText& text)
+      : proof_{proof}, sequent_{sequent}, scalars_{scalars}, names_{names}, text_{text} {}
+
+  std::string written() {
+    find_instances();
+    add_facts();
+    for (std::size_t k = 0; k < proof_.not_zero.size(); ++k) add_not_zero(k);
+    add_reasons();
+    std::string parts;
+    const std::vector<std::string> components = component_proofs();
+    std::string body;
+    if (components.size() == 1)
+      body = "  " + components.front();
+    else
+      for (std::size_t k = 0; k < components.size(); ++k)
+        body += std::string{k + 1 < components.size() ? "  split.\n  { " : "  { "} + components[k] +
+                (k + 1 < components.size() ? " }\n" : " }");
+    return head() + signs_ + body;
+  }
+
+ private:
+  // Everything the theorems ask for, once and for all.
+  std::string head() const {
+    std::string result = introductions();
+    std::vector<std::string> functions;
+    for (const Coordinate& function : twin_.functions()) {
+      std::string call = names_.text(function);
+      for (std::size_t k = 0; k < function.symbol->type.parameters.size(); ++k)
+        call += " (nth " + std::to_string(k) + " l 0)";
+      functions.push_back("fun l => " + call);
+    }
+    std::vector<std::string> variables;
+    for (const Coordinate& variable : twin_.variables()) variables.push_back(names_.text(variable));
+    result += "  pose (Phi := " + listed(functions) + " : list (list R -> R)).\n";
+    result += "  pose (sigma := " + listed(variables) + " : list R).\n";
+    result += instances_text_;
+    std::vector<std::string> smoothness;
+    std::vector<std::string> smooth_proofs;
+    for (const Coordinate& function : twin_.functions()) {
+      const bool smooth = sequent_.is_differentiated(function.symbol);
+      smoothness.push_back(smooth ? "(1%nat, " + std::to_string(function.symbol->smoothness) + "%nat)"
+                                  : "(0%nat, 0%nat)");
+      smooth_proofs.push_back(smooth ? smoothness_name(function) : "I");
+    }
+    result += "  pose (smoothness := " + listed(smoothness) + " : list (nat * nat)).\n";
+    result += "  assert (HypSmooth : smooth_all smoothness Phi) by exact " +
+              conjunction(smooth_proofs) + ".\n";
+    std::vector<std::string> equations;
+    std::vector<std::string> equation_proofs;
+    for (const auto& [pair, proof] : hypotheses_) {
+      equations.push_back(pair);
+      equation_proofs.push_back(proof);
+    }
+    result += "  pose (hypotheses := " + listed(equations) + " : list (term * term)).\n";
+    result += "  assert (HypEqual : all_equal Phi sigma hypotheses) by exact " +
+              conjunction(equation_proofs) + ".\n";
+    result += "  pose (facts := " + listed(facts_) + " : list (term * bool)).\n";
+    result += "  assert (HypFacts : all_signs Phi sigma facts) by exact " +
+              conjunction(fact_proofs_) + ".\n";
+    return result;
+  }
+
+  std::string introductions() const {
+    std::vector<std::string> names;
+    const RocqStatement& statement = sequent_.statement();
+    std::set<std::string> seen;
+    for (const SymbolPointer& symbol : sequent_.symbols())
+      if (seen.insert(names_.variable(symbol).name).second)
+        names.push_back(names_.variable(symbol).name);
+    for (const auto& premise : statement.smoothness) names.push_back(premise.name);
+    for (const auto& premise : statement.hypotheses) names.push_back(premise.name);
+    for (const std::string& parameter : statement.parameters) names.push_back(parameter);
+    for (const auto& premise : statement.restrictions) names.push_back(premise.name);
+    return names.empty() ? "" : "  intros " + joined(names, " ") + ".\n";
+  }
+
+  std::string smoothness_name(const Coordinate& function) const {
+    std::size_t number = 1;
+    for (const SymbolPointer& symbol : sequent_.symbols()) {
+      if (!sequent_.is_differentiated(symbol)) continue;
+      if (symbol->ordinal == function.symbol->ordinal)
+        return "Smooth" + std::to_string(number + function.index);
+      number += symbol->type.component_count();
+    }
+    throw NotScalar{"a function that is not assumed to be smooth"};
+  }
+
+  using Key = std::pair<std::size_t, std::vector<std::string>>;
+
+  // Each hypothesis at each place once; a hypothesis of the theorem for each component used.
+  std::size_t instance(const Instance& instance) {
+    for (const int order : instance.orders)
+      if (order > 0) throw NotScalar{"hypotheses that are differentiated"};
+    const Statement& statement = sequent_.sequent().hypotheses[instance.hypothesis].statement;
+    const std::vector<SymbolPointer> parameters = parameters_of(statement);
+    Key key{instance.hypothesis, {}};
+    std::vector<std::string> twins;
+    for (const Term& at : instance.at) {
+      key.second.push_back(text_.of(scalars_.of(at).front()));
+      twins.push_back(twin_.of(scalars_.of(at).front()));
+    }
+    const auto [found, is_new] = instances_.try_emplace(key, instances_.size() + 1);
+    const std::string name = "HypAt" + std::to_string(found->second);
+    if (is_new) {
+      std::string call = sequent_.hypothesis_name(instance.hypothesis);
+      for (const std::string& at : key.second) call += " " + bracketed(at);
+      instances_text_ += "  pose proof (" + call + ") as " + name + ".\n";
+      std::size_t premises = 0;
+      for (const SymbolPointer& parameter : parameters)
+        for (const ParameterRange& range : sequent_.sequent().ranges)
+          premises += range.parameter->ordinal == parameter->ordinal ? 1U : 0U;
+      for (std::size_t k = 0; k < premises; ++k)
+        instances_text_ += "  specialize (" + name + " ltac:(in_range)).\n";
+      for (std::size_t k = 0; k < sequent_.guards_of(instance.hypothesis).size(); ++k)
+        instances_text_ += "  specialize (" + name + " ltac:(assumption)).\n";
+    }
+    Key component = key;
+    component.second.push_back("component " + std::to_string(instance.component));
+    const auto [place, fresh] = places_.try_emplace(component, hypotheses_.size());
+    if (fresh) {
+      const auto [left, right] = sequent_.sides(statement, instance.component);
+      const auto at_place = [&](const ScalarPointer& side) {
+        if (parameters.empty()) return twin_.of(side);
+        return "(App " + twin_.lambda(parameters, side) + " [" + joined(twins, "; ") + "])";
+      };
+      std::string pair = "(" + at_place(left) + ",\n       " + at_place(right) + ")";
+      hypotheses_.emplace_back(
+          std::move(pair), rocq_part(name, instance.component, component_count(statement)));
+    }
+    return place->second;
+  }
+
+  void find_instances() {
+    for (const ComponentProof& component : proof_.components) {
+      if (const auto* equation = std::get_if<EquationProof>(&component.why))
+        for (const Cofactor& cofactor : equation->cofactors) instance(cofactor.equation);
+      else
+        find_instances(std::get<SignProof>(component.why));
+    }
+    for (const NonZero& item : proof_.not_zero)
+      if (item.sign) find_instances(*item.sign);
+  }
+
+  void find_instances(const SignProof& proof) {
+    const auto note = [&](const Combination& combination) {
+      for (const Cofactor& cofactor : combination.cofactors) instance(cofactor.equation);
+    };
+    for (const SignProof::Step& step : proof.steps) note(step.why);
+    if (const auto* last = std::get_if<Combination>(&proof.end)) return note(*last);
+    for (const SignProof& one : std::get<SignProof::Cut>(proof.end).cases) find_instances(one);
+  }
+
+  // The cofactors in the order of the hypotheses of the theorem; all instances are known by now.
+  std::string cofactors(const std::vector<Cofactor>& list) {
+    std::vector<std::string> result(hypotheses_.size(), "Int 0");
+    for (const Cofactor& cofactor : list)
+      result[instance(cofactor.equation)] = twin_.of(scalars_.of(cofactor.factor).front());
+    while (!result.empty() && result.back() == "Int 0") result.pop_back();
+    return listed(result);
+  }
+
+  // Facts of parameters that the conclusions do not have are no facts here: a true one in their place.
+  void add_facts() {
+    const Sequent& sequent = sequent_.sequent();
+    const std::vector<Fact> all = facts_of(sequent);
+    std::size_t number = 0;
+    const auto add = [&](const std::string& proof) {
+      const Fact& fact = all[number++];
+      facts_.push_back("(" + twin_.of(scalars_.of(fact.scalar).front()) + ", " +
+                       (fact.strict ? "true" : "false") + ")");
+      fact_proofs_.push_back(proof);
+    };
+    const auto add_none = [&] {
+      ++number;
+      facts_.emplace_back("(Int 0, false)");
+      fact_proofs_.emplace_back("(Rle_refl 0)");
+    };
+    for (const ParameterRange& range : sequent.ranges) {
+      const std::string name = sequent_.range_name(range.parameter);
+      for (const char* part : {"proj1", "proj2"}) {
+        if (name.empty())
+          add_none();
+        else
+          add("(difference_nonnegative _ _ (" + std::string{part} + " " + name + "))");
+      }
+    }
+    for (std::size_t k = 0; k < sequent.hypotheses.size(); ++k) {
+      const Relation relation = sequent.hypotheses[k].statement.relation;
+      if (relation == Relation::equal || relation == Relation::not_equal) continue;
+      const bool strict = relation == Relation::less || relation == Relation::greater;
+      const bool turned = relation == Relation::greater || relation == Relation::greater_equal;
+      const std::string proof = turned ? "(Rge_le _ _ " + sequent_.hypothesis_name(k) + ")"
+                                       : sequent_.hypothesis_name(k);
+      const std::string strict_proof = turned ? "(Rgt_lt _ _ " + sequent_.hypothesis_name(k) + ")"
+                                              : sequent_.hypothesis_name(k);
+      add(strict ? "(difference_positive _ _ " + strict_proof + ")"
+                 : "(difference_nonnegative _ _ " + proof + ")");
+    }
+  }
+
+  std::string combination(const Combination& combination) {
+    std::vector<std::string> summands;
+    for (const Summand& summand : combination.summands) {
+      std::vector<std::string> squares;
+      for (const Term& square : summand.squares)
+        squares.push_back(twin_.of(scalars_.of(square).front()));
+      std::vector<std::string> facts;
+      for (const auto& [fact, exponent] : summand.facts)
+        facts.push_back("(" + std::to_string(fact) + ", " + std::to_string(exponent) + ")%nat");
+      summands.push_back("(" + rational(summand.coefficient) + "%Q, " + listed(squares) + ", " +
+                         listed(facts) + ")");
+    }
+    return "(" + listed(summands) + ", " + cofactors(combination.cofactors) + ")";
+  }
+
+  std::string log(const SignProof& proof) {
+    std::string result;
+    std::string brackets;
+    for (const SignProof::Step& step : proof.steps) {
+      result += "(Step " + twin_.of(scalars_.of(step.fact).front()) + " " +
+                (step.strict ? "true " : "false ") + combination(step.why) + "\n      ";
+      brackets += ")";
+    }
+    if (const auto* last = std::get_if<Combination>(&proof.end)) {
+      result += "(Done " + combination(*last) + ")";
+    } else {
+      const auto& cut = std::get<SignProof::Cut>(proof.end);
+      result += "(Split " + twin_.of(scalars_.of(cut.at).front());
+      for (const SignProof& one : cut.cases) result += "\n      " + log(one);
+      result += ")";
+    }
+    return result + brackets;
+  }
+
+  // A goal of the theorem about signs, as a script.
+  std::string sign_script(const std::string& goal, bool strict, const SignProof& proof) {
+    return std::string{"refine ("} + (strict ? "positive" : "nonnegative") +
+           " Phi sigma smoothness @n hypotheses nonzero reasons facts\n    " + goal + "\n    " +
+           log(proof) + "\n    HypSmooth eq_refl HypEqual HypNonzero HypFacts _). " + computed + ".";
+  }
+
+  // Signs of divisors are shown before anything is known not to vanish.
+  void add_not_zero(std::size_t index) {
+    const NonZero& item = proof_.not_zero[index];
+    if (item.hypothesis) {
+      const Statement& s = sequent_.sequent().hypotheses[*item.hypothesis].statement;
+      const auto [left, right] = sequent_.sides(s, 0);
+      nonzero_.push_back(twin_.of(scalar_pair(Scalar::Kind::difference, left, right)));
+      nonzero_proofs_.push_back("(Rminus_eq_contra _ _ " +
+                                sequent_.hypothesis_name(*item.hypothesis) + ")");
+      return;
+    }
+    const std::string scalar = twin_.of(scalars_.of(item.scalar).front());
+    const std::string name = "HypSign" + std::to_string(index + 1);
+    const std::string goal = item.negative ? "(Opp " + scalar + ")" : scalar;
+    signs_ += "  assert (" + name + " : 0 < denote Phi sigma " + goal + ").\n  { refine (positive " +
+              "Phi sigma smoothness @n hypotheses [] [] facts\n    " + goal + "\n    " +
+              log(*item.sign) + "\n    HypSmooth eq_refl HypEqual I HypFacts _). " + computed +
+              ". }\n";
+    nonzero_.push_back(scalar);
+    nonzero_proofs_.push_back(std::string{item.negative ? "(nonzero_of_negative _ "
+                                                        : "(nonzero_of_positive _ "} +
+                              name + ")");
+  }
+
+  void add_reasons() {
+    std::vector<std::string> reasons;
+    for (const Divisor& divisor : proof_.divisors) {
+      std::string numbers;
+      for (const std::size_t k : divisor.product)
+        numbers += (numbers.empty() ? "" : "; ") + std::to_string(k);
+      reasons.push_back("(" + twin_.of(scalars_.of(divisor.factor).front()) + ", [" + numbers +
+                        "]%nat, [])");
+    }
+    signs_ += "  pose (nonzero := " + listed(nonzero_) + " : list term).\n";
+    signs_ += "  assert (HypNonzero : all_nonzero Phi sigma nonzero) by exact " +
+              conjunction(nonzero_proofs_) + ".\n";
+    signs_ += "  pose (reasons := " + listed(reasons) + " : list reason).\n";
+  }
+
+  std::vector<std::string> component_proofs() {
+    std::vector<std::string> result;
+    for (const ComponentProof& component : proof_.components) {
+      const Statement& s = sequent_.sequent().conclusions[component.conclusion];
+      const auto [left, right] = sequent_.sides(s, component.component);
+      if (const auto* equation = std::get_if<EquationProof>(&component.why)) {
+        result.push_back("refine (equation Phi sigma smoothness @n hypotheses nonzero reasons\n    " +
+                         cofactors(equation->cofactors) + "\n    " + twin_.of(left) + "\n    " +
+                         twin_.of(right) + "\n    HypSmooth eq_refl HypEqual HypNonzero _). " +
+                         computed + ".");
+        continue;
+      }
+      result.push_back(order_script(s, component, left, right));
+    }
+    return result;
+  }
+
+  std::string order_script(const Statement& s, const ComponentProof& component,
+                           const ScalarPointer& left, const ScalarPointer& right) {
+    const auto difference = [&](const ScalarPointer& a, const ScalarPointer& b) {
+      return twin_.of(scalar_pair(Scalar::Kind::difference, a, b));
+    };
+    const SignProof& proof = std::get<SignProof>(component.why);
+    switch (s.relation) {
+      case Relation::less:
+        return "apply less_of_difference. " + sign_script(difference(right, left), true, proof);
+      case Relation::greater:
+        return "apply greater_of_difference. " + sign_script(difference(left, right), true, proof);
+      case Relation::less_equal:
+        return "apply at_most_of_difference. " + sign_script(difference(right, left), false, proof);
+      case Relation::greater_equal:
+        return "apply at_least_of_difference. " + sign_script(difference(left, right), false, proof);
+      default: {
+        std::string way;
+        const std::size_t count = component_count(s);
+        for (std::size_t k = 0; k < component.component; ++k) way += "right. ";
+        if (component.component + 1 < count) way += "left. ";
+        const std::string lemma =
+            component.negative ? "apply different_of_less. " : "apply different_of_greater. ";
+        return way + lemma +
+               sign_script(component.negative ? difference(right, left) : difference(left, right),
+                           true, proof);
+      }
+    }
+  }
+
+  const SequentProof& proof_;
+  RocqSequent& sequent_;
+  Scalars& scalars_;
+  RocqNames& names_;
+  RocqText& text_;
+  RocqTwin twin_;
+  std::map<Key, std::size_t> instances_;
+  std::map<Key, std::size_t> places_;
+  /// Pairs of terms, and why they are equal.
+  std::vector<std::pair<std::string, std::string>> hypotheses_;
+  std::string instances_text_;
+  std::vector<std::string> facts_;
+  std::vector<std::string> fact_proofs_;
+  std::vector<std::string> nonzero_;
+  std::vector<std::string> nonzero_proofs_;
+  std::string signs_;
+
+ public:
+  std::size_t variable_count() const { return twin_.variables().size(); }
+};
+
+std::string with_count(std::string text, std::size_t count) {
+  for (std::size_t at = text.find("@n"); at != std::string::npos; at = text.find("@n", at))
+    text.replace(at, 2, std::to_string(count));
+  return text;
+}
+
+}  // namespace
+
+std::string rocq_proof(const SequentProof& proof, RocqSequent& sequent, Scalars& scalars,
+                       RocqNames& names, RocqText& text) {
+  ProofWriter writer{proof, sequent, scalars, names, text};
+  const std::string result = writer.written();
+  return with_count(result, writer.variable_count());
+}
+
+}  // namespace patchproof

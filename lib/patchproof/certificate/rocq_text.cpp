@@ -1,0 +1,228 @@
+#include <patchproof/certificate/rocq_text.hpp>
+
+#include <algorithm>
+
+namespace patchproof {
+
+namespace {
+
+using Kind = Scalar::Kind;
+
+// Levels of Rocq's notations: the smaller, the tighter.
+constexpr int of_sum = 50;
+constexpr int of_product = 40;
+constexpr int of_opposite = 35;
+constexpr int of_power = 30;
+constexpr int of_call = 10;
+constexpr int of_name = 0;
+
+std::string bracketed(const std::string& text, int own, int allowed) {
+  return own > allowed ? "(" + text + ")" : text;
+}
+
+}  // namespace
+
+const std::map<unsigned, SymbolPointer>& RocqText::free_symbols(const ScalarPointer& scalar) {
+  const auto found = free_.find(scalar.get());
+  if (found != free_.end()) return found->second;
+  Symbols result;
+  if (scalar->kind == Kind::variable)
+    result.emplace(scalar->coordinate.symbol->ordinal, scalar->coordinate.symbol);
+  for (std::size_t k = 0; k < scalar->children.size(); ++k) {
+    Symbols inner = free_symbols(scalar->children[k]);
+    if (scalar->kind == Kind::integral && k == 2) inner.erase(scalar->formal->ordinal);
+    result.merge(inner);
+  }
+  if (scalar->function) {
+    const Symbols& inner = free_symbols(scalar->function);
+    result.insert(inner.begin(), inner.end());
+  }
+  seen_.push_back(scalar);
+  return free_.emplace(scalar.get(), std::move(result)).first->second;
+}
+
+const std::map<unsigned, SymbolPointer>& RocqText::free_symbols(
+    const ScalarFunctionPointer& function) {
+  const auto found = free_in_functions_.find(function.get());
+  if (found != free_in_functions_.end()) return found->second;
+  Symbols result;
+  switch (function->kind) {
+    case ScalarFunction::Kind::unknown:
+      result.emplace(function->coordinate.symbol->ordinal, function->coordinate.symbol);
+      break;
+    case ScalarFunction::Kind::lambda:
+      result = free_symbols(function->body);
+      for (const SymbolPointer& formal : function->formals) result.erase(formal->ordinal);
+      break;
+    default: result = free_symbols(function->inner); break;
+  }
+  seen_functions_.push_back(function);
+  return free_in_functions_.emplace(function.get(), std::move(result)).first->second;
+}
+
+std::string RocqText::variable(const Coordinate& coordinate) const {
+  const auto bound = bound_.find(coordinate.symbol->ordinal);
+  return bound == bound_.end() ? names_.text(coordinate) : bound->second;
+}
+
+std::vector<std::string> RocqText::enter(const std::vector<SymbolPointer>& formals,
+                                         const Symbols& inside) {
+  std::set<std::string> taken;
+  for (const auto& [ordinal, symbol] : inside) {
+    const auto bound = bound_.find(ordinal);
+    taken.insert(bound != bound_.end() ? bound->second : names_.variable(symbol).name);
+  }
+  std::vector<std::string> result;
+  for (const SymbolPointer& formal : formals) {
+    // The names of the library have long names; only those of the case are one letter long.
+    std::string name = rocq_identifier(formal->name);
+    while (taken.contains(name) || name == "R" || name == "I" || name == "S" || name == "O")
+      name += "'";
+    taken.insert(name);
+    result.push_back(name);
+  }
+  for (std::size_t k = 0; k < formals.size(); ++k) bound_[formals[k]->ordinal] = result[k];
+  return result;
+}
+
+void RocqText::leave(const std::vector<SymbolPointer>& formals) {
+  for (const SymbolPointer& formal : formals) bound_.erase(formal->ordinal);
+}
+
+std::string RocqText::binder(const std::vector<SymbolPointer>& formals, const ScalarPointer& body) {
+  Symbols inside = free_symbols(body);
+  for (const SymbolPointer& formal : formals) inside.erase(formal->ordinal);
+  std::string result = "fun";
+  for (const std::string& name : enter(formals, inside)) result += " " + name;
+  result += " => " + expression(body, 100);
+  leave(formals);
+  return result;
+}
+
+std::string RocqText::expression(const ScalarPointer& scalar, int level) {
+  const auto child = [&](std::size_t k, int allowed) {
+    return expression(scalar->children[k], allowed);
+  };
+  switch (scalar->kind) {
+    case Kind::integer: {
+      const bool negative = scalar->number < 0;
+      // Without brackets Rocq would read the opposite of a number in some places.
+      return negative ? "(" + scalar->number.str() + ")" : scalar->number.str();
+    }
+    case Kind::variable: {
+      const std::string text = variable(scalar->coordinate);
+      return bracketed(text, text.find(' ') == std::string::npos ? of_name : of_call, level);
+    }
+    case Kind::sum: return bracketed(child(0, of_sum) + " + " + child(1, of_sum - 1), of_sum, level);
+    case Kind::difference:
+      return bracketed(child(0, of_sum) + " - " + child(1, of_sum - 1), of_sum, level);
+    case Kind::product:
+      return bracketed(child(0, of_product) + " * " + child(1, of_opposite - 1), of_product, level);
+    case Kind::quotient:
+      return bracketed(child(0, of_product) + " / " + child(1, of_opposite - 1), of_product, level);
+    case Kind::opposite: {
+      // -2 would be a number, not the opposite of one.
+      const bool number = scalar->children[0]->kind == Kind::integer;
+      const std::string inner = child(0, of_power);
+      return bracketed("- " + (number ? "(" + inner + ")" : inner), of_opposite, level);
+    }
+    case Kind::power:
+      return bracketed(child(0, of_call) + " ^ " + std::to_string(scalar->order), of_power, level);
+    case Kind::bernstein:
+      return bracketed("Bern " + std::to_string(scalar->order) + " " +
+                           std::to_string(scalar->index) + " " + child(0, of_name),
+                       of_call, level);
+    case Kind::root: return bracketed("sqrt " + child(0, of_name), of_call, level);
+    case Kind::application: return bracketed(application(*scalar), of_call, level);
+    case Kind::integral:
+      return bracketed("RInt (" + binder({scalar->formal}, scalar->children[2]) + ") " +
+                           child(0, of_name) + " " + child(1, of_name),
+                       of_call, level);
+    case Kind::named: {
+      const ScalarPointer& value = scalar->children.front();
+      const Symbols& symbols = free_symbols(value);
+      if (depends_on_bound(symbols)) return expression(value, level);
+      const std::string text =
+          named(scalar->name, scalar->index, value.get(), symbols, value, nullptr);
+      return bracketed(text, text.find(' ') == std::string::npos ? of_name : of_call, level);
+    }
+  }
+  return {};
+}
+
+std::string RocqText::application(const Scalar& scalar) {
+  std::string result = function_text(scalar.function);
+  for (const ScalarPointer& argument : scalar.children)
+    result += " " + expression(argument, of_name);
+  return result;
+}
+
+std::string RocqText::function_text(const ScalarFunctionPointer& function) {
+  switch (function->kind) {
+    case ScalarFunction::Kind::unknown: return variable(function->coordinate);
+    case ScalarFunction::Kind::lambda:
+      return "(" + binder(function->formals, function->body) + ")";
+    case ScalarFunction::Kind::named: {
+      const Symbols& symbols = free_symbols(function->inner);
+      if (depends_on_bound(symbols)) return function_text(function->inner);
+      return named(function->name, function->slot, function->inner.get(), symbols, nullptr,
+                   function->inner);
+    }
+    case ScalarFunction::Kind::derivative: {
+      const std::string inner = function_text(function->inner);
+      const bool atomic = inner.front() == '(' || inner.find(' ') == std::string::npos;
+      const std::string argument = atomic ? inner : "(" + inner + ")";
+      if (function->arity == 1) return "Derive " + argument;
+      if (function->arity == 2) return (function->slot == 0 ? "D_u " : "D_v ") + argument;
+      return "D_" + std::to_string(function->slot + 1) + " " + argument;
+    }
+  }
+  return {};
+}
+
+bool RocqText::depends_on_bound(const Symbols& symbols) const {
+  return std::any_of(symbols.begin(), symbols.end(), [&](const auto& entry) {
+    return entry.second->role == Symbol::Role::bound || bound_.contains(entry.first);
+  });
+}
+
+// The definition takes what it depends on as arguments, in the order of declaration.
+std::string RocqText::named(const std::string& name, std::size_t component, const void* key,
+                            const Symbols& symbols, const ScalarPointer& value,
+                            const ScalarFunctionPointer& function) {
+  const auto found = defined_.find(key);
+  if (found != defined_.end()) return found->second;
+  std::string head;
+  std::string arguments;
+  std::set<std::string> listed;
+  for (const auto& [ordinal, symbol] : symbols) {
+    const RocqVariable& variable = names_.variable(symbol);
+    if (!listed.insert(variable.name).second) continue;
+    head += " (" + variable.name + " : " + variable.type() + ")";
+    arguments += " " + variable.name;
+  }
+  std::string body;
+  if (function && function->kind == ScalarFunction::Kind::lambda) {
+    std::string formals;
+    for (const std::string& formal : enter(function->formals, symbols)) formals += " " + formal;
+    head += " (" + formals.substr(1) + " : R)";
+    body = expression(function->body, 100);
+    leave(function->formals);
+  } else {
+    body = function ? function_text(function) : expression(value, 100);
+    if (function)
+      head += " : " + [&] {
+        std::string type;
+        for (std::size_t k = 0; k < function->arity; ++k) type += "R -> ";
+        return type;
+      }() + "R";
+  }
+  if (!function || function->kind == ScalarFunction::Kind::lambda) head += " : R";
+  // A name of its own for each component, and for another meaning of the same name.
+  const std::string own =
+      names_.fresh(component == 0 ? name : name + "_" + std::to_string(component));
+  definitions_.push_back("Definition " + own + head + " :=\n  " + body + ".");
+  return defined_.emplace(key, own + arguments).first->second;
+}
+
+}  // namespace patchproof
