@@ -31,6 +31,7 @@ Fixpoint all_nonzero (Phi : list (list R -> R)) (sigma : list R) (l : list term)
 (* A reason for a polynomial d to be different from 0: m d is the product of the terms with these numbers in
    the list of the terms different from 0, up to cofactors times the hypotheses. *)
 Definition reason : Type := term * list nat * list term.
+Definition Reason (m : term) (numbers : list nat) (cofactors : list term) : reason := (m, numbers, cofactors).
 
 Section Check.
 Variable smoothness : list (nat * nat).
@@ -91,6 +92,8 @@ Definition check_equation (reasons : list reason) (cofactors : list term) (l r :
   | Some x, Some y, Some s => vanishes K (normal (Minus (Minus x y) s))
   | _, _, _ => false
   end.
+Definition check_nonzero (reasons : list reason) (t : term) : bool :=
+  let K := knowledge reasons in match known_value K t with Some e => never_zero K e | None => false end.
 
 Variable Phi : list (list R -> R).
 Variable sigma : list R.
@@ -179,10 +182,9 @@ Proof.
   cbn [Expressions.eval] in h. rewrite (combination_vanishes _ _ _ _ equations E) in h.
   rewrite (known_value_correct _ _ _ X), (known_value_correct _ _ _ Y). lra.
 Qed.
-Theorem nonzero_correct reasons t : 
-  match known_value (knowledge reasons) t with Some e => never_zero (knowledge reasons) e | None => false end = true ->
-  denote t <> 0.
+Theorem nonzero_correct reasons t : check_nonzero reasons t = true -> denote t <> 0.
 Proof.
+  unfold check_nonzero.
   destruct (known_value (knowledge reasons) t) as [e|] eqn:E; try discriminate.
   rewrite (known_value_correct _ _ _ E). apply never_zero_correct. apply knowledge_holds.
 Qed.
@@ -195,3 +197,12 @@ Theorem equation Phi sigma smoothness n hypotheses nonzero reasons cofactors l r
   check_equation smoothness n hypotheses nonzero reasons cofactors l r = true ->
   denote Phi sigma l = denote Phi sigma r.
 Proof. intros. eapply equation_correct; eassumption. Qed.
+Arguments equation Phi sigma smoothness%nat n%nat.
+
+(* t is different from 0. *)
+Theorem never_zero_term Phi sigma smoothness n hypotheses nonzero reasons t :
+  smooth_all smoothness Phi -> length sigma = n ->
+  all_equal Phi sigma hypotheses -> all_nonzero Phi sigma nonzero ->
+  check_nonzero smoothness n hypotheses nonzero reasons t = true -> denote Phi sigma t <> 0.
+Proof. intros. eapply nonzero_correct; eassumption. Qed.
+Arguments never_zero_term Phi sigma smoothness%nat n%nat.

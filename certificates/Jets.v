@@ -5,6 +5,7 @@ Local Open Scope R_scope.
 
 (* What is assumed of an unknown function: its number of arguments and how often it may be differentiated.
    Nothing is assumed of functions of another number of arguments. *)
+Definition Smooth (arguments times : nat) : nat * nat := (arguments, times).
 Definition smooth_at (s : nat * nat) (f : list R -> R) : Prop :=
   match s with
   | (1, n) => smooth n (fun t => f [t])

@@ -53,3 +53,6 @@ Proof.
   apply Qle_bool_iff in e. now rewrite e in h.
 Qed.
 End Soundness.
+Arguments different Phi sigma smoothness%nat n%nat.
+Arguments at_most Phi sigma smoothness%nat n%nat.
+Arguments less Phi sigma smoothness%nat n%nat.

@@ -16,6 +16,9 @@ Fixpoint all_signs (Phi : list (list R -> R)) (sigma : list R) (l : list (term *
 Definition summand : Type := Q * list term * list (nat * nat).
 (* Summands, and a cofactor for each of the equations that are known. *)
 Definition proof : Type := list summand * list term.
+Definition Factor (fact exponent : nat) : nat * nat := (fact, exponent).
+Definition Summand (q : Q) (squares : list term) (powers : list (nat * nat)) : summand := (q, squares, powers).
+Definition Sum (summands : list summand) (cofactors : list term) : proof := (summands, cofactors).
 Inductive log : Type :=
   | Done (p : proof)                                      (* the goal is such a sum *)
   | Step (h : term) (strict : bool) (p : proof) (rest : log)   (* h is; it becomes the last fact *)
@@ -184,3 +187,6 @@ Corollary positive Phi sigma smoothness n hypotheses nonzero reasons facts goal 
   all_equal Phi sigma hypotheses -> all_nonzero Phi sigma nonzero -> all_signs Phi sigma facts ->
   check_sign smoothness n hypotheses nonzero reasons facts goal true l = true -> 0 < denote Phi sigma goal.
 Proof. intros hs hn he hz hf c. exact (sign _ _ _ _ _ _ _ _ _ _ _ hs hn he hz hf c). Qed.
+Arguments sign Phi sigma smoothness%nat n%nat.
+Arguments nonnegative Phi sigma smoothness%nat n%nat.
+Arguments positive Phi sigma smoothness%nat n%nat.

@@ -33,6 +33,16 @@ Definition integral (S : list (nat * nat)) (x : positive) (a b e : ex) : option 
      && is_zero (Minus (derivative x F) e)
   then Some (normal (Minus (substitute x b F) (substitute x a F))) else None.
 
+(* The inverse; a product is inverted factor by factor, for the factors may be known to be different from 0. *)
+Fixpoint inverted (e : ex) : ex :=
+  match e with
+  | Times a b => Times (inverted a) (inverted b)
+  | Power a n => Power (inverted a) n
+  | Negate a => Negate (inverted a)
+  | Inverse a => a
+  | _ => Inverse e
+  end.
+
 (* A value, and the expressions that have to be different from 0 for it. *)
 Definition result : Type := option (ex * list ex).
 Definition lift (f : ex -> ex) (a : result) : result :=
@@ -63,7 +73,7 @@ Fixpoint value (next : positive) (env : list ex) (t : term) {struct t} : result 
   | Sub a b => lift2 Minus (value next env a) (value next env b)
   | Mul a b => lift2 Times (value next env a) (value next env b)
   | Opp a => lift Negate (value next env a)
-  | Div a b => lift2 (fun x y => Times x (Inverse y)) (value next env a) (value next env b)
+  | Div a b => lift2 (fun x y => Times x (inverted y)) (value next env a) (value next env b)
   | Pow a n => lift (fun x => Power x n) (value next env a)
   | Bernstein n i a => lift (bernstein n i) (value next env a)
   | App f l =>
@@ -141,6 +151,15 @@ Proof.
 Qed.
 Lemma update_self rho x t : update rho x t x = t.
 Proof. unfold update. now rewrite Pos.eqb_refl. Qed.
+
+Lemma inverted_value rho e : eval Phi rho (inverted e) = / eval Phi rho e.
+Proof.
+  induction e; simpl; trivial.
+  - now rewrite IHe1, IHe2, Rinv_mult.
+  - now rewrite IHe, Rinv_opp.
+  - now rewrite IHe, pow_inv.
+  - now rewrite Rinv_inv.
+Qed.
 
 (* Differentiable expressions are continuous. *)
 Lemma expression_continuous rho x e t : differentiable smoothness x e = true ->
@@ -244,7 +263,7 @@ Proof.
   - intros a b ha hb next env rho e c h n. simpl in h.
     destruct (value next env a) as [[x d]|] eqn:E; try discriminate.
     destruct (value next env b) as [[y d']|] eqn:E'; try discriminate. injection h as <- <-.
-    apply nonzero_app in n. destruct n. simpl. erewrite ha, hb by eassumption. reflexivity.
+    apply nonzero_app in n. destruct n. simpl. rewrite inverted_value. erewrite ha, hb by eassumption. reflexivity.
   - intros a m ha next env rho e c h n. simpl in h.
     destruct (value next env a) as [[x d]|] eqn:E; try discriminate. injection h as <- <-.
     simpl. erewrite ha by eassumption. reflexivity.
