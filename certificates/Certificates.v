@@ -1,0 +1,5 @@
+(* All that a certificate needs. *)
+Require Export QArith_base.
+Require Export PatchProof.Definitions PatchProof.Terms PatchProof.Jets PatchProof.Equations.
+Require Export PatchProof.Refutations PatchProof.Signs PatchProof.Facts.
+Open Scope R_scope.

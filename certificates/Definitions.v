@@ -1,0 +1,30 @@
+(* The vocabulary of the statements.  A reader who wants to know what was proved reads this file and the
+   statement of the certificate, nothing else (besides Reals of the standard library and the definitions
+   of Derive and RInt in Coquelicot). *)
+Require Export Reals List.
+From Coquelicot Require Export Rbar Hierarchy Continuity Derive RInt.
+Export ListNotations.
+Local Open Scope R_scope.
+
+(* n over k, by Pascal's triangle; 0 for k > n. *)
+Fixpoint binom (n k : nat) : Z :=
+  match n, k with
+  | _, O => 1%Z
+  | O, S _ => 0%Z
+  | S n', S k' => (binom n' k' + binom n' k)%Z
+  end.
+
+(* The Bernstein polynomial B_i^n(t). *)
+Definition Bern (n i : nat) (t : R) : R := IZR (binom n i) * t ^ i * (1 - t) ^ (n - i).
+
+(* Partial derivatives of functions of two and of three arguments.  Derive f x is Coquelicot's f'(x);
+   where f is not differentiable its value is not specified by anything that is used here. *)
+Definition D_u (r : R -> R -> R) (u v : R) : R := Derive (fun t => r t v) u.
+Definition D_v (r : R -> R -> R) (u v : R) : R := Derive (fun t => r u t) v.
+Definition D_1 (r : R -> R -> R -> R) (u v w : R) : R := Derive (fun t => r t v w) u.
+Definition D_2 (r : R -> R -> R -> R) (u v w : R) : R := Derive (fun t => r u t w) v.
+Definition D_3 (r : R -> R -> R -> R) (u v w : R) : R := Derive (fun t => r u v t) w.
+
+(* f is n times differentiable everywhere. *)
+Definition smooth (n : nat) (f : R -> R) : Prop :=
+  forall k x, (k < n)%nat -> ex_derive (Nat.iter k Derive f) x.
