@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 #include <optional>
+#include <stdexcept>
 
 namespace patchproof {
 
@@ -77,7 +78,9 @@ std::string RocqNames::fresh(const std::string& wanted) {
   std::string name = rocq_identifier(wanted);
   // The proofs call their hypotheses Hyp1, Hyp2, ….
   if (name.rfind("Hyp", 0) == 0) name = "x" + name;
-  while (words().contains(name) || taken_.contains(name)) name += name.back() == '\'' ? "'" : "_";
+  const std::string stem = name;
+  for (int k = 2; words().contains(name) || taken_.contains(name); ++k)
+    name = stem + "_" + std::to_string(k);
   taken_.insert(name);
   return name;
 }
@@ -116,7 +119,7 @@ void RocqNames::add(const SymbolPointer& symbol) {
 }
 
 std::string RocqNames::text(const Coordinate& coordinate) const {
-  const Place& place = places_.at(coordinate.symbol->ordinal);
+  const Place& place = place_of(coordinate.symbol);
   const RocqVariable& variable = variables_[place.variable];
   std::string result = variable.name;
   for (const unsigned index : place.indices) result += " " + std::to_string(index) + "%nat";
@@ -126,11 +129,17 @@ std::string RocqNames::text(const Coordinate& coordinate) const {
 }
 
 const RocqVariable& RocqNames::variable(const SymbolPointer& symbol) const {
-  return variables_.at(places_.at(symbol->ordinal).variable);
+  return variables_.at(place_of(symbol).variable);
 }
 
 const std::vector<unsigned>& RocqNames::indices(const SymbolPointer& symbol) const {
-  return places_.at(symbol->ordinal).indices;
+  return place_of(symbol).indices;
+}
+
+const RocqNames::Place& RocqNames::place_of(const SymbolPointer& symbol) const {
+  const auto found = places_.find(symbol->ordinal);
+  if (found == places_.end()) throw std::logic_error{"nothing quantifies over " + symbol->name};
+  return found->second;
 }
 
 }  // namespace patchproof

@@ -43,6 +43,8 @@ class RocqNames {
     std::size_t variable = 0;
     std::vector<unsigned> indices;
   };
+  const Place& place_of(const SymbolPointer& symbol) const;
+
   std::vector<RocqVariable> variables_;
   std::map<unsigned, Place> places_;
   std::map<std::string, std::size_t> arrays_;

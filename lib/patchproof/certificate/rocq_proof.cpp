@@ -81,8 +81,8 @@ class ProofWriter {
     std::vector<std::string> smooth_proofs;
     for (const Coordinate& function : twin_.functions()) {
       const bool smooth = sequent_.is_differentiated(function.symbol);
-      smoothness.push_back(smooth ? "(1%nat, " + std::to_string(function.symbol->smoothness) + "%nat)"
-                                  : "(0%nat, 0%nat)");
+      smoothness.push_back(smooth ? "Smooth 1 " + std::to_string(function.symbol->smoothness)
+                                  : "Smooth 0 0");
       smooth_proofs.push_back(smooth ? smoothness_name(function) : "I");
     }
     result += "  pose (smoothness := " + listed(smoothness) + " : list (nat * nat)).\n";
@@ -224,7 +224,7 @@ class ProofWriter {
         if (name.empty())
           add_none();
         else
-          add("(difference_nonnegative _ _ (" + std::string{part} + " " + name + "))");
+          add("(le_difference _ _ (" + std::string{part} + " " + name + "))");
       }
     }
     for (std::size_t k = 0; k < sequent.hypotheses.size(); ++k) {
@@ -236,8 +236,8 @@ class ProofWriter {
                                        : sequent_.hypothesis_name(k);
       const std::string strict_proof = turned ? "(Rgt_lt _ _ " + sequent_.hypothesis_name(k) + ")"
                                               : sequent_.hypothesis_name(k);
-      add(strict ? "(difference_positive _ _ " + strict_proof + ")"
-                 : "(difference_nonnegative _ _ " + proof + ")");
+      add(strict ? "(lt_difference _ _ " + strict_proof + ")"
+                 : "(le_difference _ _ " + proof + ")");
     }
   }
 
@@ -249,11 +249,11 @@ class ProofWriter {
         squares.push_back(twin_.of(scalars_.of(square).front()));
       std::vector<std::string> facts;
       for (const auto& [fact, exponent] : summand.facts)
-        facts.push_back("(" + std::to_string(fact) + ", " + std::to_string(exponent) + ")%nat");
-      summands.push_back("(" + rational(summand.coefficient) + "%Q, " + listed(squares) + ", " +
-                         listed(facts) + ")");
+        facts.push_back("Factor " + std::to_string(fact) + " " + std::to_string(exponent));
+      summands.push_back("Summand " + rational(summand.coefficient) + " " + listed(squares) + " " +
+                         listed(facts));
     }
-    return "(" + listed(summands) + ", " + cofactors(combination.cofactors) + ")";
+    return "(Sum " + listed(summands) + " " + cofactors(combination.cofactors) + ")";
   }
 
   std::string log(const SignProof& proof) {
@@ -311,9 +311,9 @@ class ProofWriter {
     for (const Divisor& divisor : proof_.divisors) {
       std::string numbers;
       for (const std::size_t k : divisor.product)
-        numbers += (numbers.empty() ? "" : "; ") + std::to_string(k);
-      reasons.push_back("(" + twin_.of(scalars_.of(divisor.factor).front()) + ", [" + numbers +
-                        "]%nat, [])");
+        numbers += (numbers.empty() ? "" : "; ") + std::to_string(k) + "%nat";
+      reasons.push_back("Reason " + twin_.of(scalars_.of(divisor.factor).front()) + " [" + numbers +
+                        "] []");
     }
     signs_ += "  pose (nonzero := " + listed(nonzero_) + " : list term).\n";
     signs_ += "  assert (HypNonzero : all_nonzero Phi sigma nonzero) by exact " +
@@ -346,13 +346,13 @@ class ProofWriter {
     const SignProof& proof = std::get<SignProof>(component.why);
     switch (s.relation) {
       case Relation::less:
-        return "apply less_of_difference. " + sign_script(difference(right, left), true, proof);
+        return "apply lt_from_difference. " + sign_script(difference(right, left), true, proof);
       case Relation::greater:
-        return "apply greater_of_difference. " + sign_script(difference(left, right), true, proof);
+        return "apply gt_from_difference. " + sign_script(difference(left, right), true, proof);
       case Relation::less_equal:
-        return "apply at_most_of_difference. " + sign_script(difference(right, left), false, proof);
+        return "apply le_from_difference. " + sign_script(difference(right, left), false, proof);
       case Relation::greater_equal:
-        return "apply at_least_of_difference. " + sign_script(difference(left, right), false, proof);
+        return "apply ge_from_difference. " + sign_script(difference(left, right), false, proof);
       default: {
         std::string way;
         const std::size_t count = component_count(s);

@@ -1,6 +1,7 @@
 #include <patchproof/certificate/rocq_text.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace patchproof {
 
@@ -85,17 +86,14 @@ std::vector<std::string> RocqText::enter(const std::vector<SymbolPointer>& forma
   return result;
 }
 
-void RocqText::leave(const std::vector<SymbolPointer>& formals) {
-  for (const SymbolPointer& formal : formals) bound_.erase(formal->ordinal);
-}
-
 std::string RocqText::binder(const std::vector<SymbolPointer>& formals, const ScalarPointer& body) {
   Symbols inside = free_symbols(body);
   for (const SymbolPointer& formal : formals) inside.erase(formal->ordinal);
+  const std::map<unsigned, std::string> outside = bound_;
   std::string result = "fun";
   for (const std::string& name : enter(formals, inside)) result += " " + name;
   result += " => " + expression(body, 100);
-  leave(formals);
+  bound_ = outside;
   return result;
 }
 
@@ -201,13 +199,14 @@ std::string RocqText::named(const std::string& name, std::size_t component, cons
     head += " (" + variable.name + " : " + variable.type() + ")";
     arguments += " " + variable.name;
   }
+  // Nothing of what is bound where it is used means anything in a definition.
+  const std::map<unsigned, std::string> outside = std::exchange(bound_, {});
   std::string body;
   if (function && function->kind == ScalarFunction::Kind::lambda) {
     std::string formals;
     for (const std::string& formal : enter(function->formals, symbols)) formals += " " + formal;
     head += " (" + formals.substr(1) + " : R)";
     body = expression(function->body, 100);
-    leave(function->formals);
   } else {
     body = function ? function_text(function) : expression(value, 100);
     if (function)
@@ -217,6 +216,7 @@ std::string RocqText::named(const std::string& name, std::size_t component, cons
         return type;
       }() + "R";
   }
+  bound_ = outside;
   if (!function || function->kind == ScalarFunction::Kind::lambda) head += " : R";
   // A name of its own for each component, and for another meaning of the same name.
   const std::string own =

@@ -40,9 +40,8 @@ class RocqText {
                     const ScalarFunctionPointer& function);
   bool depends_on_bound(const Symbols& symbols) const;
   std::string variable(const Coordinate& coordinate) const;
-  /// The formals get names that mean nothing else inside; removed again by `leave`.
+  /// The formals get names that mean nothing else inside.
   std::vector<std::string> enter(const std::vector<SymbolPointer>& formals, const Symbols& inside);
-  void leave(const std::vector<SymbolPointer>& formals);
 
   RocqNames& names_;
   /// Bound variables in scope.

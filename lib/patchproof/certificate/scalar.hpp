@@ -70,6 +70,6 @@ struct ScalarFunction {
 };
 
 /// Terms beyond this are not written down.
-inline constexpr std::size_t largest_scalar = 200'000;
+inline constexpr std::size_t largest_scalar = 20'000;
 
 }  // namespace patchproof

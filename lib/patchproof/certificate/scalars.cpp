@@ -47,15 +47,12 @@ ScalarPointer determinant(const Components& entries, std::size_t size, std::size
 }  // namespace
 
 Scalars::Scalars(std::vector<std::pair<std::string, Term>> named) {
-  for (auto& [name, term] : named) {
-    names_.emplace(term.address(), name);
-    seen_.push_back(std::move(term));
-  }
+  for (const auto& [name, term] : named) names_.add(term, name);
 }
 
 const std::string* Scalars::name_of(const Term& term) const {
-  const auto found = names_.find(term.address());
-  return found == names_.end() ? nullptr : &found->second;
+  if (const std::string* name = names_.name_of(term)) return name;
+  return term.operation() == Operation::definition ? &term.name() : nullptr;
 }
 
 const Components& Scalars::of(const Term& term) {

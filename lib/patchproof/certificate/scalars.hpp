@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <patchproof/certificate/scalar.hpp>
-#include <patchproof/term/term.hpp>
+#include <patchproof/term/latex_text.hpp>
 
 namespace patchproof {
 
@@ -39,9 +39,10 @@ class Scalars {
   std::vector<ScalarPointer> matrix_product(const Term& term);
   std::vector<ScalarPointer> applied(const Term& term);
   ScalarPointer integral(const Term& term);
+  /// The name of the case, or of the definition of the prelude that the term is a use of.
   const std::string* name_of(const Term& term) const;
 
-  std::unordered_map<const TermNode*, std::string> names_;
+  LatexNames names_;
   std::unordered_map<const TermNode*, std::vector<ScalarPointer>> values_;
   std::unordered_map<const TermNode*, std::vector<ScalarFunctionPointer>> functions_;
   /// Keeps the terms alive whose addresses are keys.
