@@ -28,3 +28,30 @@ Definition D_3 (r : R -> R -> R -> R) (u v w : R) : R := Derive (fun t => r u v 
 (* f is n times differentiable everywhere. *)
 Definition smooth (n : nat) (f : R -> R) : Prop :=
   forall k x, (k < n)%nat -> ex_derive (Nat.iter k Derive f) x.
+
+(* r is continuous at (u, v). *)
+Definition continuous2 (r : R -> R -> R) (u v : R) : Prop :=
+  forall eps, 0 < eps -> exists delta, 0 < delta /\
+  forall x y, Rabs (x - u) < delta -> Rabs (y - v) < delta -> Rabs (r x y - r u v) < eps.
+Definition continuous3 (r : R -> R -> R -> R) (u v w : R) : Prop :=
+  forall eps, 0 < eps -> exists delta, 0 < delta /\
+  forall x y z, Rabs (x - u) < delta -> Rabs (y - v) < delta -> Rabs (z - w) < delta ->
+    Rabs (r x y z - r u v w) < eps.
+
+(* All partial derivatives of r up to the order n exist everywhere and are continuous. *)
+Fixpoint smooth2 (n : nat) (r : R -> R -> R) : Prop :=
+  (forall u v, continuous2 r u v) /\
+  match n with
+  | O => True
+  | S n' => (forall u v, ex_derive (fun t => r t v) u /\ ex_derive (fun t => r u t) v) /\
+      smooth2 n' (D_u r) /\ smooth2 n' (D_v r)
+  end.
+Fixpoint smooth3 (n : nat) (r : R -> R -> R -> R) : Prop :=
+  (forall u v w, continuous3 r u v w) /\
+  match n with
+  | O => True
+  | S n' =>
+      (forall u v w, ex_derive (fun t => r t v w) u /\ ex_derive (fun t => r u t w) v /\
+         ex_derive (fun t => r u v t) w) /\
+      smooth3 n' (D_1 r) /\ smooth3 n' (D_2 r) /\ smooth3 n' (D_3 r)
+  end.
