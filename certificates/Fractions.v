@@ -188,12 +188,19 @@ Proof.
 Qed.
 End Values.
 
-(* Facts "p <> 0" are pairs (m, r) with r <> 0; a polynomial p is different from 0 when m p = r. *)
+(* The coefficient that comes first in a polynomial. *)
+Fixpoint lead (p : poly) : Q :=
+  match p with Pc c => c | Pinj _ q => lead q | PX q _ _ => lead q end.
+
+(* Facts "p <> 0" are pairs (m, r) with r <> 0; a polynomial p is different from 0 when m p = r, or when
+   these differ by a number only. *)
 Definition polynomial_of (T : list ex) (e : ex) : option poly :=
   match divisors T e, as_fraction T e with [], (p, []) => Some p | _, _ => None end.
 Definition shown_nonzero (T : list ex) (K : list (ex * ex)) (p : poly) : bool :=
   existsb (fun f => match polynomial_of T (fst f), polynomial_of T (snd f) with
-    | Some m, Some r => same (pmul m p) r
+    | Some m, Some r =>
+        let q := pmul m p in
+        negb (Qeq_bool (lead q) 0) && same (pmul (constant (lead r)) q) (pmul (constant (lead q)) r)
     | _, _ => false end) K.
 Definition clear (T : list ex) (K : list (ex * ex)) (e : ex) : bool := forallb (shown_nonzero T K) (divisors T e).
 Definition table_for (K : list (ex * ex)) (e : ex) : list ex :=
@@ -234,9 +241,13 @@ Proof.
   pose proof (known_atoms e f i) as A. apply Forall_app in A. destruct A as [A1 A2].
   destruct (polynomial_of (table_for K e) (fst f)) as [m|] eqn:M; try discriminate.
   destruct (polynomial_of (table_for K e) (snd f)) as [r|] eqn:E; try discriminate.
+  cbv zeta in h. set (q := pmul m p) in h. apply andb_prop in h. destruct h as [n h].
   apply (same_value (places Phi rho (table_for K e))) in h.
-  rewrite pmul_value, (polynomial_of_value _ _ _ A2 E) in h.
-  rewrite Forall_forall in known. specialize (known f i). intro z. apply known. rewrite <- h, z. ring.
+  rewrite !pmul_value, !constant_value, (polynomial_of_value _ _ _ A2 E) in h.
+  unfold q in h at 1. rewrite pmul_value in h.
+  rewrite Forall_forall in known. specialize (known f i). intro z. rewrite z, !Rmult_0_r in h.
+  symmetry in h. apply Rmult_integral in h. destruct h as [h|h]; [|now apply known].
+  apply negb_true_iff in n. apply Qeq_bool_neq in n. apply n. apply eqR_Qeq. now rewrite h, zero_value.
 Qed.
 Lemma clear_value e : clear (table_for K e) K e = true ->
   nonzero_polys Phi rho (table_for K e) (divisors (table_for K e) e).

@@ -81,7 +81,8 @@ class ProofWriter {
     std::vector<std::string> smooth_proofs;
     for (const Coordinate& function : twin_.functions()) {
       const bool smooth = sequent_.is_differentiated(function.symbol);
-      smoothness.push_back(smooth ? "Smooth 1 " + std::to_string(function.symbol->smoothness)
+      smoothness.push_back(smooth ? "Smooth " + std::to_string(function.symbol->type.parameters.size()) + " " +
+                                        std::to_string(sequent_.smoothness(function.symbol))
                                   : "Smooth 0 0");
       smooth_proofs.push_back(smooth ? smoothness_name(function) : "I");
     }

@@ -108,7 +108,9 @@ class RefutationWriter {
         variable.coordinate = {formal, 0};
         twin.of(std::make_shared<const Scalar>(variable));
       }
-      result += premise("exact (smooth_polynomial " + std::to_string(symbol->smoothness) + " " +
+      const std::size_t arity = function->formals.size();
+      result += premise("exact (smooth_polynomial" + (arity == 1 ? "" : std::to_string(arity)) + " " +
+                        std::to_string(sequent_.smoothness(symbol)) + " " +
                         twin.of(function->body) + " eq_refl)");
     }
     return result;

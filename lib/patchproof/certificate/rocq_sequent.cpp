@@ -20,6 +20,20 @@ std::string symbol_of(Relation relation) {
   }
 }
 
+// How often is differentiated in all, by derivatives within derivatives.
+int derivative_order(const Term& term) {
+  int order = 0;
+  if (term.operation() == Operation::derivative)
+    for (const int k : term.indices()) order += k;
+  int inner = 0;
+  for (const Term& child : term.children()) inner = std::max(inner, derivative_order(child));
+  return order + inner;
+}
+
+std::string smooth_word(std::size_t arity) {
+  return arity == 1 ? "smooth" : "smooth" + std::to_string(arity);
+}
+
 bool is_equation(const Statement& statement) { return statement.relation == Relation::equal; }
 
 std::string joined(const std::vector<std::string>& parts, const std::string& between) {
@@ -56,11 +70,10 @@ RocqSequent::RocqSequent(const Sequent& sequent, Scalars& scalars, RocqNames& na
     if (std::find(listed.begin(), listed.end(), quantified) == listed.end())
       listed.push_back(quantified);
     if (!is_differentiated(symbol)) continue;
-    if (variable.arity != 1) throw NotScalar{"derivatives of unknown functions of several arguments"};
     for (std::size_t c = 0; c < symbol->type.component_count(); ++c)
       statement_.smoothness.push_back(
           {"Smooth" + std::to_string(statement_.smoothness.size() + 1),
-           "smooth " + std::to_string(symbol->smoothness) + " " +
+           smooth_word(variable.arity) + " " + std::to_string(smoothness(symbol)) + " " +
                [&] {
                  const std::string name = names_.text({symbol, c});
                  return name.find(' ') == std::string::npos ? name : "(" + name + ")";
@@ -119,11 +132,19 @@ void RocqSequent::collect() {
 
 // Whether derivatives of unknown functions occur is asked of their terms: a derivative stands around a
 // function or around something in which the function stands.
+int RocqSequent::smoothness(const SymbolPointer& function) const {
+  const auto needed = differentiated_.find(function->ordinal);
+  return needed == differentiated_.end() ? 0 : std::max(function->smoothness, needed->second);
+}
+
 void RocqSequent::note_derivatives(const Term& term, std::set<const TermNode*>& seen) {
   if (!seen.insert(term.address()).second) return;
   if (term.operation() == Operation::derivative)
     for (const auto& [ordinal, symbol] : free_symbols(term))
-      if (symbol->role == Symbol::Role::function) differentiated_.insert(ordinal);
+      if (symbol->role == Symbol::Role::function) {
+        int& order = differentiated_[ordinal];
+        order = std::max(order, derivative_order(term));
+      }
   for (const Term& child : term.children()) note_derivatives(child, seen);
 }
 

@@ -43,6 +43,8 @@ class RocqSequent {
   const std::vector<SymbolPointer>& parameters() const { return parameters_; }
   /// Unknown functions whose derivatives occur.
   bool is_differentiated(const SymbolPointer& function) const;
+  /// How smooth it is taken to be: as its class says, or as its derivatives of all kinds need.
+  int smoothness(const SymbolPointer& function) const;
   /// The name of the premise of a hypothesis, and of the range of a parameter.
   std::string hypothesis_name(std::size_t hypothesis) const;
   std::string range_name(const SymbolPointer& parameter) const;
@@ -67,7 +69,8 @@ class RocqSequent {
   RocqText& text_;
   std::vector<SymbolPointer> symbols_;
   std::vector<SymbolPointer> parameters_;
-  std::set<unsigned> differentiated_;
+  /// Unknown functions under derivatives, and the highest order in all.
+  std::map<unsigned, int> differentiated_;
   RocqStatement statement_;
 };
 
