@@ -1,4 +1,5 @@
-# cmake -DFILES=a.proof|b.proof -DOUTPUT=prelude_files.cpp -P embed_files.cmake
+# cmake -DFILES=a.proof|b.proof -DFUNCTION=prelude_files -DHEADER=patchproof/language/prelude.hpp
+#   -DOUTPUT=prelude_files.cpp -P embed_files.cmake
 #
 # The texts become arrays of characters and not string literals: literals have a longest length,
 # differing by compiler, and escapes in them would run into the text that follows.
@@ -28,14 +29,14 @@ foreach(name IN LISTS names)
   math(EXPR number "${number} + 1")
 endforeach()
 
-file(WRITE ${OUTPUT} "// Generated from the files of the prelude; changes belong there.
-#include <patchproof/language/prelude.hpp>
+file(WRITE ${OUTPUT} "// Generated from the files named below; changes belong there.
+#include <${HEADER}>
 
 namespace patchproof {
 namespace {
 ${arrays}}  // namespace
 
-const std::vector<std::pair<std::string_view, std::string_view>>& prelude_files() {
+const std::vector<std::pair<std::string_view, std::string_view>>& ${FUNCTION}() {
   static const std::vector<std::pair<std::string_view, std::string_view>> files{
 ${entries}  };
   return files;

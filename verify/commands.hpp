@@ -13,6 +13,7 @@ void add_repair(CLI::App& program, ExitCode& result);
 void add_draw(CLI::App& program, ExitCode& result);
 void add_format(CLI::App& program, ExitCode& result);
 void add_latex(CLI::App& program, ExitCode& result);
+void add_certify(CLI::App& program, ExitCode& result);
 void add_definitions(CLI::App& program, ExitCode& result);
 void add_dump(CLI::App& program, ExitCode& result);
 

@@ -1,17 +1,12 @@
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <verify/files.hpp>
 #include <verify/latex_run.hpp>
+#include <verify/process.hpp>
 
-#include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <regex>
 #include <sstream>
 #include <thread>
-#include <vector>
 
 namespace patchproof {
 
@@ -23,56 +18,20 @@ const char* const packages =
     "texlive-luatex texlive-latex-recommended texlive-pictures latexmk fonts-cmu "
     "texlive-lang-czechslovak texlive-lang-european texlive-lang-cyrillic";
 
-bool is_installed(const std::string& program) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders{path == nullptr ? "" : path};
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (::access((fs::path{folder} / program).c_str(), X_OK) == 0) return true;
-  return false;
-}
-
-/// Starts latexmk in a group of processes of its own, with no input and no output.
-pid_t started(const std::string& folder, const std::string& tex) {
-  std::vector<std::string> words{"latexmk",          "-norc",
-                                 "-lualatex",        "-interaction=nonstopmode",
-                                 "-halt-on-error",   "-file-line-error",
-                                 "-no-shell-escape", tex};
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  pid_t child = -1;
-  if (::posix_spawnp(&child, "latexmk", &actions, &attributes, pointers.data(), environ) != 0)
-    child = -1;
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
-  return child;
-}
-
-/// The exit code; -1 when the time was up or a signal ended it.
-int ended(pid_t child, std::chrono::seconds longest) {
+/// The exit code; -1 when the time was up or a signal ended it, nothing when it did not start.
+std::optional<int> latexmk_code(const std::string& folder, const std::string& tex,
+                                std::chrono::seconds longest) {
   constexpr std::chrono::milliseconds pause{20};
-  const auto end = std::chrono::steady_clock::now() + longest;
-  int status = 0;
-  for (;;) {
-    const pid_t found = ::waitpid(child, &status, WNOHANG);
-    if (found == child) return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    if (found < 0) return -1;
-    if (std::chrono::steady_clock::now() > end) break;
+  Process latexmk{{"latexmk", "-norc", "-lualatex", "-interaction=nonstopmode", "-halt-on-error",
+                   "-file-line-error", "-no-shell-escape", tex},
+                  folder,
+                  ""};
+  if (!latexmk.started()) return std::nullopt;
+  while (!latexmk.ended()) {
+    if (latexmk.age() > longest) latexmk.kill();
     std::this_thread::sleep_for(pause);
   }
-  // The group is ours alone: latexmk and what it has started.
-  ::kill(-child, SIGKILL);
-  ::waitpid(child, &status, 0);
-  return -1;
+  return latexmk.code();
 }
 
 }  // namespace
@@ -112,12 +71,11 @@ LatexRun pdf_of(const std::string& folder, const std::string& tex, std::chrono::
   std::error_code ignored;
   // What an earlier run said is not to be taken for what this one says.
   fs::remove(log_path, ignored);
-  const pid_t child = started(folder, tex);
-  if (child < 0) return {false, "cannot start latexmk"};
-  const int code = ended(child, longest);
-  if (code == 0) return {true, ""};
+  const std::optional<int> code = latexmk_code(folder, tex, longest);
+  if (!code) return {false, "cannot start latexmk"};
+  if (*code == 0) return {true, ""};
   std::string problem = "LaTeX failed on '" + (fs::path{folder} / tex).string() + "'";
-  if (code == -1) problem += ": stopped after " + std::to_string(longest.count()) + " seconds";
+  if (*code == -1) problem += ": stopped after " + std::to_string(longest.count()) + " seconds";
   const LatexError error = first_error(file_text(log_path).text.value_or(""));
   if (!error.message.empty()) {
     problem += "\n  = error: ";

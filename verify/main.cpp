@@ -51,6 +51,7 @@ int run(int argument_count, char* arguments[]) {
   add_draw(program, result);
   add_format(program, result);
   add_latex(program, result);
+  add_certify(program, result);
   add_definitions(program, result);
   add_dump(program, result);
   try {

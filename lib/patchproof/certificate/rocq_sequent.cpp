@@ -21,13 +21,16 @@ std::string symbol_of(Relation relation) {
 }
 
 // How often is differentiated in all, by derivatives within derivatives.
-int derivative_order(const Term& term) {
+int derivative_order(const Term& term, std::map<const TermNode*, int>& known) {
+  const auto found = known.find(term.address());
+  if (found != known.end()) return found->second;
   int order = 0;
   if (term.operation() == Operation::derivative)
     for (const int k : term.indices()) order += k;
   int inner = 0;
-  for (const Term& child : term.children()) inner = std::max(inner, derivative_order(child));
-  return order + inner;
+  for (const Term& child : term.children())
+    inner = std::max(inner, derivative_order(child, known));
+  return known[term.address()] = order + inner;
 }
 
 std::string smooth_word(std::size_t arity) {
@@ -143,7 +146,7 @@ void RocqSequent::note_derivatives(const Term& term, std::set<const TermNode*>& 
     for (const auto& [ordinal, symbol] : free_symbols(term))
       if (symbol->role == Symbol::Role::function) {
         int& order = differentiated_[ordinal];
-        order = std::max(order, derivative_order(term));
+        order = std::max(order, derivative_order(term, orders_));
       }
   for (const Term& child : term.children()) note_derivatives(child, seen);
 }

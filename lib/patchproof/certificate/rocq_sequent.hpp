@@ -71,6 +71,7 @@ class RocqSequent {
   std::vector<SymbolPointer> parameters_;
   /// Unknown functions under derivatives, and the highest order in all.
   std::map<unsigned, int> differentiated_;
+  std::map<const TermNode*, int> orders_;
   RocqStatement statement_;
 };
 

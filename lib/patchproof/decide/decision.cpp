@@ -20,6 +20,7 @@ std::string to_text(Evidence evidence) {
   switch (evidence) {
     case Evidence::kernel: return "kernel";
     case Evidence::both_engines: return "both engines";
+    case Evidence::certified: return "certified";
     default: return "none";
   }
 }

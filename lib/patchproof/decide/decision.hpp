@@ -30,6 +30,7 @@ enum class Evidence {
   none,          ///< no verdict
   kernel,        ///< decided by the kernel; the second engine gave no opinion
   both_engines,  ///< decided by the kernel, and the second engine agrees
+  certified,     ///< and a certificate was accepted by a proof assistant, see `Decision::certificate`
 };
 std::string to_text(Evidence evidence);
 
@@ -49,6 +50,9 @@ struct WitnessReport {
 struct Decision {
   Verdict verdict = Verdict::unknown;
   Evidence evidence = Evidence::none;
+  /// Certified: by what, "coqc 8.16.1, axioms: …". Otherwise, where a certificate was asked for, why
+  /// there is none, or that it was not checked; else "".
+  std::string certificate;
   /// Unknown, error, internal: why. Inconsistent: the equation that cannot hold. Refuted: what is
   /// known beyond the witness, where an inequality is nowhere false but for its strictness.
   std::string reason;
