@@ -1,5 +1,5 @@
 (* All that a certificate needs. *)
 Require Export QArith_base.
 Require Export PatchProof.Definitions PatchProof.Terms PatchProof.Jets PatchProof.Equations.
-Require Export PatchProof.Refutations PatchProof.Signs PatchProof.Facts.
+Require Export PatchProof.Refutations PatchProof.Signs PatchProof.Witnesses PatchProof.Facts PatchProof.Elementary.
 Open Scope R_scope.
