@@ -1,5 +1,6 @@
 (* All that a certificate needs. *)
 Require Export QArith_base.
 Require Export PatchProof.Definitions PatchProof.Terms PatchProof.Jets PatchProof.Equations.
-Require Export PatchProof.Refutations PatchProof.Signs PatchProof.Witnesses PatchProof.Facts PatchProof.Elementary.
+Require Export PatchProof.Refutations PatchProof.Signs PatchProof.Witnesses PatchProof.Facts.
+Require Export PatchProof.Differentiated PatchProof.Elementary.
 Open Scope R_scope.

@@ -12,6 +12,19 @@ Fixpoint row (n : nat) : list Z := match n with O => [1%Z] | S n' => next_row 0 
 Definition bernstein (n i : nat) (t : ex) : ex :=
   Times (Times (Num (inject_Z (nth i (row n) 0%Z))) (Power t i)) (Power (Minus (Num 1) t) (n - i)).
 
+(* A piece of a B-spline basis function at x. *)
+Definition over (x : ex) (d : Q) : ex := if Qeq_bool d 0 then Num 0 else Times x (Num (/ d)).
+Fixpoint piece (knots : list Q) (p i span : nat) (x : ex) : ex :=
+  match p with
+  | O => if Nat.eqb i span then Num 1 else Num 0
+  | S q =>
+      Plus (Times (over (Minus x (Num (knot knots i))) (knot knots (i + p) - knot knots i)%Q) (piece knots q i span x))
+           (Times (over (Minus (Num (knot knots (i + p + 1))) x) (knot knots (i + p + 1) - knot knots (i + 1))%Q)
+              (piece knots q (i + 1) span x))
+  end.
+Definition spline (knots : list Q) (p i span : nat) (t : ex) : ex :=
+  piece knots p i span (Plus (Times (Minus (Num 1) t) (Num (knot knots span))) (Times t (Num (knot knots (span + 1))))).
+
 (* An antiderivative in x of t^s times the polynomial p, whose variables are counted from place j. *)
 Fixpoint antiderivative (T : list ex) (x : positive) (s : nat) (j : positive) (p : poly) : ex :=
   match p with
@@ -76,6 +89,7 @@ Fixpoint value (next : positive) (env : list ex) (t : term) {struct t} : result 
   | Div a b => lift2 (fun x y => Times x (inverted y)) (value next env a) (value next env b)
   | Pow a n => lift (fun x => Power x n) (value next env a)
   | Bernstein n i a => lift (bernstein n i) (value next env a)
+  | BSpline l p i s a => lift (spline l p i s) (value next env a)
   | App f l =>
       match (fix values l := match l with
         | [] => Some ([], [])
@@ -144,6 +158,23 @@ Proof.
   unfold bernstein, Bern. rewrite row_nth. cbn [eval]. rewrite <- (integer_value rho (binom n i)). cbn [eval].
   now rewrite one_value.
 Qed.
+Lemma rational_value rho q : eval Phi rho (Num q) = rational q.
+Proof. reflexivity. Qed.
+Lemma over_value rho x d : eval Phi rho (over x d) = weight (eval Phi rho x) d.
+Proof.
+  unfold over, weight. destruct (Qeq_bool d 0) eqn:E; [exact zero_value|]. cbn [eval].
+  rewrite Q2R_inv by now apply Qeq_bool_neq. reflexivity.
+Qed.
+Lemma piece_value rho knots p span x : forall i,
+  eval Phi rho (piece knots p i span x) = N_piece knots p i span (eval Phi rho x).
+Proof.
+  induction p as [|p IH]; intro i; cbn [piece N_piece].
+  - destruct (Nat.eqb i span); [exact one_value|exact zero_value].
+  - cbn [eval]. rewrite !over_value, !IH. reflexivity.
+Qed.
+Lemma spline_value rho knots p i span t :
+  eval Phi rho (spline knots p i span t) = Nspline knots p i span (eval Phi rho t).
+Proof. unfold spline, Nspline. rewrite piece_value. cbn [eval]. rewrite one_value. reflexivity. Qed.
 Lemma is_zero_value rho e : is_zero e = true -> eval Phi rho e = 0.
 Proof.
   unfold is_zero. rewrite <- (normal_value Phi rho e). destruct (normal e); try discriminate.
@@ -270,6 +301,9 @@ Proof.
   - intros m i a ha next env rho e c h n. simpl in h.
     destruct (value next env a) as [[x d]|] eqn:E; try discriminate. injection h as <- <-.
     rewrite bernstein_value. simpl. erewrite ha by eassumption. reflexivity.
+  - intros l p i s a ha next env rho e c h n. simpl in h.
+    destruct (value next env a) as [[x d]|] eqn:E; try discriminate. injection h as <- <-.
+    rewrite spline_value. simpl. erewrite ha by eassumption. reflexivity.
   - intros f l hf hl next env rho e c h n. 
     change (match values next env l with
       | Some (xs, c) => match function_value next env f xs with Some (y, d) => Some (y, c ++ d) | None => None end

@@ -92,16 +92,9 @@ Definition claim_tangent : Prop := forall f g : R -> R, smooth 1 f -> smooth 1 g
 Theorem tangent : claim_tangent.
 Proof.
   intros f g sf sg e.
-  assert (z : Derive (fun t => f t - g t) 1 = 0).
-  { apply (zero_derivative _ 0 1).
-    - exact Rlt_0_1.
-    - split; [apply Rle_0_1|apply Rle_refl].
-    - intros t h. rewrite (e t h). apply Rminus_diag_eq. reflexivity.
-    - apply @ex_derive_minus; [apply (sf 0%nat)|apply (sg 0%nat)]; constructor. }
-  refine (equation [fun l => f (nth 0 l 0); fun l => g (nth 0 l 0)] [] [Smooth 1 1; Smooth 1 1] 0
-    [(App (Deriv 0 (Lam 1 (Sub (App (Unknown 0) [Var 0]) (App (Unknown 1) [Var 0])))) [Int 1], Int 0)] [] [] [Int 1]
-    (App (Deriv 0 (Unknown 0)) [Int 1]) (App (Deriv 0 (Unknown 1)) [Int 1])
-    (conj sf (conj sg I)) eq_refl (conj z I) I _).
+  refine (differentiated [fun l => f (nth 0 l 0); fun l => g (nth 0 l 0)] [] [Smooth 1 1; Smooth 1 1] 0
+    (conj sf (conj sg I)) eq_refl (App (Unknown 0) [Var 0]) (App (Unknown 1) [Var 0]) 0 1 1 Rlt_0_1
+    (conj Rle_0_1 (Rle_refl 1)) e _).
   vm_cast_no_check (eq_refl true).
 Qed.
 Print Assumptions diagonal.
