@@ -50,16 +50,16 @@ Definition plain_difference (h : term * term) : ex :=
   | _, _ => Num 0
   end.
 Definition plain_nonzero (t : term) : ex := match evaluated t with Some (e, []) => e | _ => Num 1 end.
-Fixpoint sum (cofactors differences : list ex) : ex :=
+Fixpoint weighted_sum (cofactors differences : list ex) : ex :=
   match cofactors, differences with
-  | Num (0 # _) :: l, _ :: m => sum l m
-  | q :: l, d :: m => Plus (Times q d) (sum l m)
+  | Num (0 # _) :: l, _ :: m => weighted_sum l m
+  | q :: l, d :: m => Plus (Times q d) (weighted_sum l m)
   | _, _ => Num 0
   end.
 Definition fact (differences nonzeros : list ex) (r : reason) : ex * ex :=
   let '(m, l, q) := r in
   (data m, Plus (fold_right (fun i p => Times (nth i nonzeros (Num 1)) p) (Num 1) l)
-                (sum (map data q) differences)).
+                (weighted_sum (map data q) differences)).
 Definition knowledge (reasons : list reason) : list (ex * ex) :=
   let differences := map plain_difference hypotheses in
   let nonzeros := map plain_nonzero nonzero_terms in
@@ -127,20 +127,20 @@ Proof.
     rewrite <- (evaluated_value _ _ _ A) by constructor. exact h.
   - apply IH. apply different.
 Qed.
-Lemma sum_vanishes q : forall d, Forall (fun d => eval d = 0) d -> eval (sum q d) = 0.
+Lemma weighted_sum_vanishes q : forall d, Forall (fun d => eval d = 0) d -> eval (weighted_sum q d) = 0.
 Proof.
   induction q as [|a q IH]; intros [|x d] h; try (now destruct a); try exact zero_value.
   - simpl. destruct a as [[[| |] ?]| | | | | | | | |]; exact zero_value.
   - inversion h; subst.
-    assert (A : eval (Plus (Times a x) (sum q d)) = 0) by (cbn [Expressions.eval]; rewrite IH, H1 by trivial; ring).
-    simpl sum. destruct a as [[[| |] ?]| | | | | | | | |]; trivial. now apply IH.
+    assert (A : eval (Plus (Times a x) (weighted_sum q d)) = 0) by (cbn [Expressions.eval]; rewrite IH, H1 by trivial; ring).
+    simpl weighted_sum. destruct a as [[[| |] ?]| | | | | | | | |]; trivial. now apply IH.
 Qed.
 Lemma knowledge_holds reasons : Forall (fun f => eval (snd f) <> 0) (knowledge reasons).
 Proof.
   unfold knowledge. apply Forall_app. pose proof plain_nonzero_values as z. split; rewrite Forall_map.
   - revert z. now apply Forall_impl.
   - rewrite Forall_forall. intros [[m l] q] _. cbn [fact snd Expressions.eval].
-    rewrite sum_vanishes, Rplus_0_r by apply plain_differences_vanish.
+    rewrite weighted_sum_vanishes, Rplus_0_r by apply plain_differences_vanish.
     assert (one : eval (Num 1) <> 0) by (cbn [Expressions.eval]; rewrite one_value; apply R1_neq_R0).
     induction l as [|i l IH]; [exact one|]. cbn [fold_right Expressions.eval].
     apply Rmult_integral_contrapositive_currified; trivial.

@@ -31,7 +31,15 @@ Definition combine (f : poly -> poly -> poly) (a b : fraction) : fraction :=
 (* The inverse of a polynomial that is a constant different from 0. *)
 Definition unit_inverse (p : poly) : option Q :=
   match p with Pc q => if Qeq_bool q 0 then None else Some (Qred (/ q)) | _ => None end.
+Fixpoint has_inverse (e : ex) : bool :=
+  match e with
+  | Plus a b | Minus a b | Times a b => has_inverse a || has_inverse b
+  | Negate a | Power a _ => has_inverse a
+  | Inverse _ => true
+  | _ => false
+  end.
 Fixpoint as_fraction (T : list ex) (e : ex) : fraction :=
+  if negb (has_inverse e) then (polynomial T e, []) else
   match e with
   | Plus a b => combine padd (as_fraction T a) (as_fraction T b)
   | Minus a b => combine psub (as_fraction T a) (as_fraction T b)
@@ -158,25 +166,40 @@ Proof. intro h. split; simpl; [rewrite Rmult_1_r; symmetry; now apply polynomial
 Definition nonzero_polys (l : list poly) : Prop := Forall (fun p => pvalue p <> 0) l.
 Lemma in_app {A} (l m : list A) (P : A -> Prop) : Forall P (l ++ m) -> Forall P l /\ Forall P m.
 Proof. apply Forall_app. Qed.
+Lemma free_atoms e : has_inverse e = false -> atoms e = inner_atoms e.
+Proof.
+  induction e; cbn [has_inverse atoms inner_atoms]; intro h; trivial; try discriminate; auto;
+    apply orb_false_elim in h; destruct h; now rewrite IHe1, IHe2.
+Qed.
+Lemma free_fraction e : negb (has_inverse e) = true -> Forall (fun a => In a T) (inner_atoms e) ->
+  stands_for (as_fraction T e) (eval e).
+Proof.
+  intros E h. replace (as_fraction T e) with (polynomial T e, [] : factors).
+  - apply polynomial_fraction. rewrite free_atoms; trivial. now apply negb_true_iff.
+  - destruct e; cbn [as_fraction]; rewrite E; reflexivity.
+Qed.
 Theorem as_fraction_value e : Forall (fun a => In a T) (inner_atoms e) -> nonzero_polys (divisors T e) ->
   stands_for (as_fraction T e) (eval e).
 Proof.
-  induction e; cbn [inner_atoms divisors]; intros h nz; try (now apply polynomial_fraction);
+  induction e; intros h nz; match goal with |- stands_for (as_fraction T ?e) _ =>
+      destruct (negb (has_inverse e)) eqn:F; [now apply free_fraction|]; try discriminate;
+      cbn [as_fraction]; rewrite F; clear F end;
+    cbn [inner_atoms divisors] in h, nz;
     try (apply in_app in h; destruct h as [h1 h2]; apply in_app in nz; destruct nz as [n1 n2]).
   - apply combine_value; auto using padd_value. intros; ring.
   - apply combine_value; auto using psub_value. intros; ring.
-  - cbn [as_fraction]. specialize (IHe1 h1 n1). specialize (IHe2 h2 n2).
+  - specialize (IHe1 h1 n1). specialize (IHe2 h2 n2).
     destruct (as_fraction T e1) as [p d], (as_fraction T e2) as [q c]. destruct IHe1 as [a1 a2], IHe2 as [b1 b2].
     cbn [fst snd] in *. split; cbn [fst snd eval].
     + rewrite pmul_value, merge_value, <- a1, <- b1. ring.
     + now apply nonzero_merge.
-  - cbn [as_fraction]. specialize (IHe h nz). destruct (as_fraction T e) as [p d]. destruct IHe as [a1 a2].
+  - specialize (IHe h nz). destruct (as_fraction T e) as [p d]. destruct IHe as [a1 a2].
     cbn [fst snd] in *. split; cbn [fst snd eval]; trivial. rewrite popp_value, <- a1. ring.
-  - cbn [as_fraction]. specialize (IHe h nz). destruct (as_fraction T e) as [p d].
+  - specialize (IHe h nz). destruct (as_fraction T e) as [p d].
     destruct IHe as [a1 a2]. cbn [fst snd] in *. split; cbn [fst snd eval].
     + now rewrite ppow_value, power_factors, <- a1, Rpow_mult_distr.
     + clear - a2. induction a2; simpl; constructor; trivial.
-  - cbn [as_fraction eval]. destruct (unit_inverse (fst (as_fraction T e))) as [q|] eqn:E.
+  - cbn [eval]. destruct (unit_inverse (fst (as_fraction T e))) as [q|] eqn:E.
     + specialize (IHe h nz). destruct (as_fraction T e) as [p d]. destruct IHe as [a1 a2]. cbn [fst snd] in *.
       rewrite E. apply unit_inverse_value in E. destruct E as [E1 E2]. split; [|constructor]. cbn [fst snd product].
       rewrite pmul_value, constant_value, E1, <- a1, expand_value. pose proof (nonzero_product d a2).

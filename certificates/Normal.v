@@ -63,6 +63,8 @@ Fixpoint polynomial (T : list ex) (e : ex) : poly :=
   | At p => indeterminate (xO p)
   | Plus a b => padd (polynomial T a) (polynomial T b)
   | Minus a b => psub (polynomial T a) (polynomial T b)
+  | Times a (At p) => shift 1 (polynomial T a) (xO p)
+  | Times a (Power (At p) (S n)) => shift (Pos.of_succ_nat n) (polynomial T a) (xO p)
   | Times a b => pmul (polynomial T a) (polynomial T b)
   | Negate a => popp (polynomial T a)
   | Power a n => ppow (polynomial T a) n
@@ -97,7 +99,16 @@ Proof.
     pvalue (places T) (indeterminate (xI (place a T first))) = eval a).
   { intros a h. inversion h; subst. rewrite indeterminate_value. unfold places. cbn [variable].
     now rewrite atom_place. }
-  induction e; cbn [atoms polynomial]; intro h; try (now apply A);
+  assert (M : forall a b, polynomial T (Times a b) = pmul (polynomial T a) (polynomial T b) \/
+    (exists p n, polynomial T (Times a b) = shift (Pos.of_succ_nat n) (polynomial T a) (xO p) /\
+      eval b = rho p ^ S n)).
+  { intros a b. destruct b as [|p| | | | |[|p| | | | | | | |] [|n]| | |]; try (now left); right.
+    - exists p, 0%nat. split; trivial. simpl. ring.
+    - now exists p, n. }
+  induction e; cbn [atoms]; intro h; try (now apply A);
+    try (destruct (M e1 e2) as [->|[p [n [-> E]]]];
+      [|apply Forall_app in h; destruct h as [h1 h2]; rewrite shift_value, IHe1, SuccNat2Pos.id_succ by trivial;
+        cbn [Expressions.eval]; now rewrite E]); cbn [polynomial];
     try (apply Forall_app in h; destruct h as [h1 h2]);
     rewrite ?padd_value, ?psub_value, ?pmul_value, ?popp_value, ?ppow_value, ?indeterminate_value;
     simpl; try rewrite IHe1 by trivial; try rewrite IHe2 by trivial; try rewrite IHe by trivial; reflexivity.

@@ -40,13 +40,28 @@ Proof.
     apply (free_in xs x _ i) in h; split; [now apply free_differentiable|now apply free_denominators
       |now apply free_differentiable|now apply free_denominators|now apply free_differentiable|now apply free_denominators].
 Qed.
+Lemma added_polynomial xs a b :
+  polynomial_in xs a = true -> polynomial_in xs b = true -> polynomial_in xs (added a b) = true.
+Proof.
+  intros ha hb. unfold added. destruct a as [[[|p|p] d]| | | | | | | | |], b as [[[|q|q] d']| | | | | | | | |];
+    trivial; cbn [polynomial_in] in *; now rewrite ?ha, ?hb.
+Qed.
+Lemma multiplied_polynomial xs a b :
+  polynomial_in xs a = true -> polynomial_in xs b = true -> polynomial_in xs (multiplied a b) = true.
+Proof.
+  intros ha hb. unfold multiplied. destruct a as [[[|[p|p|]|p] [d|d|]]| | | | | | | | |], b as [[[|q|q] d']| | | | | | | | |];
+    trivial; cbn [polynomial_in] in *; now rewrite ?ha, ?hb.
+Qed.
 Lemma polynomial_derivative xs x e : In x xs -> polynomial_in xs e = true -> polynomial_in xs (derivative x e) = true.
 Proof.
   intro i. induction e using ex_induction; intro h; cbn [polynomial_in derivative] in *; trivial;
-    try (apply andb_prop in h; destruct h as [h1 h2]; now rewrite ?IHe1, ?IHe2, ?h1, ?h2);
-    try (now apply IHe).
+    try (apply andb_prop in h; destruct h as [h1 h2]).
   - now destruct (Pos.eqb p x).
-  - destruct n; trivial. cbn [polynomial_in]. now rewrite IHe, h.
+  - apply added_polynomial; auto.
+  - now rewrite IHe1, IHe2.
+  - apply added_polynomial; apply multiplied_polynomial; auto.
+  - auto.
+  - destruct n; trivial. apply multiplied_polynomial; auto.
   - apply (free_in xs x _ i) in h. cbn [occurs] in h. now rewrite h.
   - apply (free_in xs x _ i) in h. cbn [occurs] in h. now rewrite h.
 Qed.
