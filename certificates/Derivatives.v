@@ -5,7 +5,8 @@ Require Import PatchProof.Normal PatchProof.Jets.
 Local Open Scope R_scope.
 
 Definition natural (n : nat) : ex := Num (inject_Z (Z.of_nat n)).
-(* Sums and products without the terms that are visibly 0. *)
+(* Sums and products without the terms that are visibly 0; numbers go to the coefficient, for then the normal
+   form is found quickly. *)
 Definition added (a b : ex) : ex :=
   match a, b with
   | Num (0 # _), _ => b
@@ -17,6 +18,7 @@ Definition multiplied (a b : ex) : ex :=
   | Num (0 # _), _ => Num 0
   | _, Num (0 # _) => Num 0
   | Num (1 # 1), _ => b
+  | _, Times (Num q) c => Times (Times a (Num q)) c
   | _, _ => Times a b
   end.
 Fixpoint derivative (x : positive) (e : ex) : ex :=
@@ -29,7 +31,7 @@ Fixpoint derivative (x : positive) (e : ex) : ex :=
   | Negate a => Negate (derivative x a)
   | Power a n => match n with
       | O => Num 0
-      | S n' => multiplied (Times (natural n) (Power a n')) (derivative x a) end
+      | S n' => multiplied (multiplied (derivative x a) (natural n)) (Power a n') end
   | Jet j o l =>
       if existsb (occurs x) l then
         (fix slopes k m := match m with
@@ -83,7 +85,8 @@ Proof.
 Qed.
 Lemma multiplied_value r a b : eval Phi r (multiplied a b) = eval Phi r a * eval Phi r b.
 Proof.
-  unfold multiplied. destruct a as [[[|[p|p|]|p] [d|d|]]| | | | | | | | |], b as [[[|q|q] d']| | | | | | | | |];
+  unfold multiplied.
+  destruct a as [[[|[p|p|]|p] [d|d|]]| | | | | | | | |], b as [[[|q|q] d']| | | |[[[|q|q] d']| | | | | | | | |] b2| | | | |];
     trivial; cbn [eval]; rewrite ?zero_numerator, ?zero_value; try ring;
     replace (Q2R (1 # 1)) with 1 by (symmetry; exact one_value); ring.
 Qed.
@@ -123,10 +126,10 @@ Proof.
   - apply @is_derive_opp; auto.
   - cbn [derivative]. destruct n as [|m].
     + simpl. rewrite zero_value. apply @is_derive_const.
-    + rewrite multiplied_value. change (is_derive (fun t => at_ t e ^ S m) t
-        (eval Phi (update rho x t) (natural (S m)) * at_ t e ^ m * at_ t (derivative x e))).
+    + rewrite !multiplied_value. change (is_derive (fun t => at_ t e ^ S m) t
+        (at_ t (derivative x e) * eval Phi (update rho x t) (natural (S m)) * at_ t e ^ m)).
       rewrite natural_value.
-      replace (INR (S m) * at_ t e ^ m * at_ t (derivative x e))
+      replace (at_ t (derivative x e) * INR (S m) * at_ t e ^ m)
         with (INR (S m) * at_ t (derivative x e) * at_ t e ^ pred (S m)) by (simpl pred; ring).
       apply is_derive_pow; auto.
   - cbn [derivative]. destruct (existsb (occurs x) l) eqn:E.

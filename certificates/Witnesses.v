@@ -49,8 +49,9 @@ Qed.
 Lemma multiplied_polynomial xs a b :
   polynomial_in xs a = true -> polynomial_in xs b = true -> polynomial_in xs (multiplied a b) = true.
 Proof.
-  intros ha hb. unfold multiplied. destruct a as [[[|[p|p|]|p] [d|d|]]| | | | | | | | |], b as [[[|q|q] d']| | | | | | | | |];
-    trivial; cbn [polynomial_in] in *; now rewrite ?ha, ?hb.
+  intros ha hb. unfold multiplied.
+  destruct a as [[[|[p|p|]|p] [d|d|]]| | | | | | | | |], b as [[[|q|q] d']| | | |[[[|q|q] d']| | | | | | | | |] b2| | | | |];
+    trivial; cbn [polynomial_in andb] in *; now rewrite ?ha, ?hb.
 Qed.
 Lemma polynomial_derivative xs x e : In x xs -> polynomial_in xs e = true -> polynomial_in xs (derivative x e) = true.
 Proof.
@@ -61,7 +62,7 @@ Proof.
   - now rewrite IHe1, IHe2.
   - apply added_polynomial; apply multiplied_polynomial; auto.
   - auto.
-  - destruct n; trivial. apply multiplied_polynomial; auto.
+  - destruct n; trivial. apply multiplied_polynomial; trivial. apply multiplied_polynomial; auto.
   - apply (free_in xs x _ i) in h. cbn [occurs] in h. now rewrite h.
   - apply (free_in xs x _ i) in h. cbn [occurs] in h. now rewrite h.
 Qed.
