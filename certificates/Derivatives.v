@@ -1,11 +1,13 @@
 (* The formal derivative of an expression in a variable. *)
 Require Import QArith Qreals Lia.
-Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials PatchProof.Expressions.
+Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials
+  PatchProof.Expressions.
 Require Import PatchProof.Normal PatchProof.Jets.
 Local Open Scope R_scope.
 
 Definition natural (n : nat) : ex := Num (inject_Z (Z.of_nat n)).
-(* Sums and products without the terms that are visibly 0; numbers go to the coefficient, for then the normal
+(* Sums and products without the terms that are visibly 0;
+  numbers go to the coefficient, for then the normal
    form is found quickly. *)
 Definition added (a b : ex) : ex :=
   match a, b with
@@ -36,7 +38,8 @@ Fixpoint derivative (x : positive) (e : ex) : ex :=
       if existsb (occurs x) l then
         (fix slopes k m := match m with
           | [] => Num 0
-          | a :: m' => added (multiplied (Jet j (bump k o) l) (derivative x a)) (slopes (S k) m') end) 0%nat l
+          | a :: m' => added (multiplied (Jet j (bump k o) l) (derivative x a)) (slopes (S k) m')
+            end) 0%nat l
       else Num 0
   | Inverse a => if occurs x a then Times (Negate (derivative x a)) (Power (Inverse a) 2) else Num 0
   | Root a => Num 0
@@ -55,7 +58,8 @@ Fixpoint differentiable (S : list (nat * nat)) (x : positive) (e : ex) : bool :=
       else true
   | Root a => negb (occurs x a)
   end.
-(* The denominators that depend on x; where they are different from 0, e has the formal derivative. *)
+(* The denominators that depend on x; where they are different from 0,
+  e has the formal derivative. *)
 Fixpoint denominators (x : positive) (e : ex) : list ex :=
   match e with
   | Num _ | At _ => []
@@ -86,7 +90,8 @@ Qed.
 Lemma multiplied_value r a b : eval Phi r (multiplied a b) = eval Phi r a * eval Phi r b.
 Proof.
   unfold multiplied.
-  destruct a as [[[|[p|p|]|p] [d|d|]]| | | | | | | | |], b as [[[|q|q] d']| | | |[[[|q|q] d']| | | | | | | | |] b2| | | | |];
+  destruct a as [[[|[p|p|]|p] [d|d|]]| | | | | | | | |], b as [[[|q|q] d']| | | |[[[|q|q] d']| | |
+    | | | | | |] b2| | | | |];
     trivial; cbn [eval]; rewrite ?zero_numerator, ?zero_value; try ring;
     replace (Q2R (1 # 1)) with 1 by (symmetry; exact one_value); ring.
 Qed.
@@ -100,11 +105,13 @@ Proof.
 Qed.
 Lemma no_argument t l : existsb (occurs x) l = false -> map (at_ t) l = map (eval Phi rho) l.
 Proof.
-  intro h. apply map_eq. apply existsb_false in h. revert h. apply Forall_impl. intros a h. now apply eval_update.
+  intro h. apply map_eq. apply existsb_false in h. revert h. apply Forall_impl. intros a h.
+    now apply eval_update.
 Qed.
 Lemma Forall_flat_map {A B} (P : B -> Prop) (f : A -> list B) l :
   Forall P (flat_map f l) -> Forall (fun a => Forall P (f a)) l.
-Proof. induction l as [|a l IH]; simpl; intro h; constructor; apply Forall_app in h; destruct h; auto. Qed.
+Proof. induction l as [|a l IH]; simpl; intro h; constructor; apply Forall_app in h; destruct h;
+  auto. Qed.
 
 Theorem derivative_value e t :
   differentiable smoothness x e = true -> Forall (fun d => at_ t d <> 0) (denominators x e) ->
@@ -138,25 +145,30 @@ Proof.
       pose proof (smooth_all_at _ _ j smooth_functions) as hs.
       assert (C : is_derive (fun t => at_ t (Jet j o l)) t
         (chain (unknown Phi j) o (map (at_ t) l) 0 (map (fun a => at_ t (derivative x a)) l))).
-      { eapply is_derive_ext; [|replace (map (at_ t) l) with (map (fun a => a t) (map (fun a t => at_ t a) l));
+      { eapply is_derive_ext; [|replace (map (at_ t) l) with (map (fun a => a t)
+        (map (fun a t => at_ t a) l));
           [apply (jet_chain _ _ o (map (fun a t => at_ t a) l) _ t hs h1)|]].
         - intro s. simpl. now rewrite map_map.
         - now rewrite map_length.
         - rewrite Forall_forall in H, nz. clear - H h3 nz.
-          assert (K : forall a, In a l -> is_derive (fun t => at_ t a) t (at_ t (derivative x a))) by auto.
+          assert (K : forall a, In a l -> is_derive (fun t => at_ t a) t (at_ t (derivative x a)))
+            by auto.
           clear - K. induction l as [|a l IH]; simpl in *; constructor; auto.
         - now rewrite map_map. }
       eapply is_derive_equal; [exact C|].
-      assert (K : forall m k, chain (unknown Phi j) o (map (at_ t) l) k (map (fun a => at_ t (derivative x a)) m)
+      assert (K : forall m k, chain (unknown Phi j) o (map (at_ t) l)
+        k (map (fun a => at_ t (derivative x a)) m)
         = at_ t ((fix slopes k m := match m with
           | [] => Num 0
-          | a :: m' => added (multiplied (Jet j (bump k o) l) (derivative x a)) (slopes (S k) m') end) k m)); [|apply K].
+          | a :: m' => added (multiplied (Jet j (bump k o) l) (derivative x a)) (slopes (S k) m')
+            end) k m)); [|apply K].
       intro m. induction m as [|a m IH]; intro k; [symmetry; apply zero_value|].
       cbn [map chain]. rewrite IH, added_value, multiplied_value. reflexivity.
     + simpl (eval _ _ (Num 0)). rewrite zero_value. apply constant_derivative. exact E.
   - cbn [derivative]. destruct (occurs x e) eqn:E.
     + inversion nz as [|? ? n1 n2]; subst.
-      eapply is_derive_equal; [apply (is_derive_inv (fun t => at_ t e)); [apply IHe; trivial|exact n1]|].
+      eapply is_derive_equal; [apply (is_derive_inv (fun t => at_ t e)); [apply IHe;
+        trivial|exact n1]|].
       simpl. field. exact n1.
     + simpl (eval _ _ (Num 0)). rewrite zero_value. now apply constant_derivative.
   - simpl. rewrite zero_value. apply (constant_derivative (Root e)). simpl. now apply negb_true_iff.

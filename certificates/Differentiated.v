@@ -1,7 +1,8 @@
 (* An equation between functions on an interval may be differentiated. *)
 Require Import QArith.
 Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Expressions PatchProof.Normal.
-Require Import PatchProof.Jets PatchProof.Derivatives PatchProof.Values PatchProof.Equations.
+Require Import PatchProof.Jets PatchProof.Derivatives PatchProof.Integrals PatchProof.Values
+  PatchProof.Equations.
 Require Import PatchProof.Witnesses PatchProof.Facts.
 Local Open Scope R_scope.
 
@@ -28,7 +29,8 @@ Proof.
   destruct (denominators 1 (normal e)) eqn:D; try discriminate.
   exists (eval Phi (update (assignment sigma) 1 x) (derivative 1 (normal e))).
   apply is_derive_ext with (fun s => eval Phi (update (assignment sigma) 1 s) (normal e)).
-  - intro s. rewrite normal_value, <- (value_correct _ _ smooth_functions t _ _ _ _ _ E) by constructor.
+  - intro s. rewrite normal_value, <- (value_correct _ _ smooth_functions t _ _ _ _ _ E)
+      by constructor.
     cbn [map eval]. rewrite update_self. pose proof (variables_one Phi sigma n length_sigma s) as V.
     unfold at1 in V. now rewrite V.
   - apply (derivative_value Phi smoothness); trivial. rewrite D. constructor.

@@ -1,4 +1,5 @@
-(* Sine, cosine and the exponential function: a certificate has them as unknown functions, with these facts as
+(* Sine, cosine and the exponential function: a certificate has them as unknown functions,
+  with these facts as
    hypotheses. *)
 Require Import Lra FunctionalExtensionality.
 Require Import PatchProof.Definitions.
@@ -17,7 +18,8 @@ Proof. apply exp_plus. Qed.
 Theorem exponential_positive x : 0 < exp x.
 Proof. apply exp_pos. Qed.
 
-Lemma wave_derivative a b x : is_derive (fun x => a * sin x + b * cos x) x (- b * sin x + a * cos x).
+Lemma wave_derivative a b x : is_derive (fun x => a * sin x + b * cos x)
+  x (- b * sin x + a * cos x).
 Proof.
   replace (- b * sin x + a * cos x) with (plus (scal a (cos x)) (scal b (- sin x))).
   - apply @is_derive_plus; apply is_derive_scal; apply is_derive_Reals;
@@ -35,17 +37,20 @@ Proof.
 Qed.
 Theorem sine_smooth n : smooth n sin.
 Proof.
-  replace sin with (fun x => 1 * sin x + 0 * cos x) by (apply functional_extensionality; intro; ring).
+  replace sin with (fun x => 1 * sin x + 0 * cos x) by (apply functional_extensionality; intro;
+    ring).
   apply wave_smooth.
 Qed.
 Theorem cosine_smooth n : smooth n cos.
 Proof.
-  replace cos with (fun x => 0 * sin x + 1 * cos x) by (apply functional_extensionality; intro; ring).
+  replace cos with (fun x => 0 * sin x + 1 * cos x) by (apply functional_extensionality; intro;
+    ring).
   apply wave_smooth.
 Qed.
 Theorem exponential_smooth n : smooth n exp.
 Proof.
   assert (D : forall k, Nat.iter k Derive exp = exp).
-  { induction k as [|k IH]; trivial. simpl. rewrite IH. apply functional_extensionality, exponential_derivative. }
+  { induction k as [|k IH]; trivial. simpl. rewrite IH. apply functional_extensionality,
+    exponential_derivative. }
   intros k x _. rewrite D. exists (exp x). apply is_derive_Reals, derivable_pt_lim_exp.
 Qed.

@@ -1,4 +1,5 @@
-(* Polynomials with rational coefficients in Horner form: EnvRing of the standard library at Q, with every
+(* Polynomials with rational coefficients in Horner form: EnvRing of the standard library at Q,
+  with every
    coefficient reduced.  Variables are positive numbers. *)
 Require Import Reals QArith Qreals Qreduction ZArith Lia FunctionalExtensionality.
 Require Import micromega.Env micromega.EnvRing micromega.RMicromega.
@@ -105,7 +106,8 @@ End Values.
 Lemma mkPX_value l p i q :
   pvalue l (mkPX 0%Q Qeq_bool p i q) = pvalue l p * Env.hd l ^ Pos.to_nat i + pvalue (Env.tail l) q.
 Proof.
-  rewrite <- power_of_positive. apply (mkPX_ok (Eqsth R) ring_extension real_ring rational_morphism).
+  rewrite <- power_of_positive. apply (mkPX_ok (Eqsth R) ring_extension real_ring
+    rational_morphism).
 Qed.
 Lemma mkPinj_value l k p : pvalue l (mkPinj k p) = pvalue (Env.jump k l) p.
 Proof. apply (mkPinj_ok _ _ (Eqsth R)). Qed.
@@ -113,7 +115,8 @@ Lemma zero_polynomial l : pvalue l (Pc 0%Q) = 0.
 Proof. apply Q2R_0. Qed.
 Lemma jump_at (k j : positive) (l : positive -> R) : Env.jump k l j = l (j + k)%positive.
 Proof. reflexivity. Qed.
-Lemma jump_jump (a b c : positive) (l : positive -> R) : (a + b)%positive = c -> Env.jump a (Env.jump b l) = Env.jump c l.
+Lemma jump_jump (a b c : positive) (l : positive -> R) : (a + b)%positive = c ->
+  Env.jump a (Env.jump b l) = Env.jump c l.
 Proof. intros <-. apply functional_extensionality. intro x. rewrite !jump_at. f_equal. lia. Qed.
 Lemma shift_value i p : forall j l, pvalue l (shift i p j) = pvalue l p * l j ^ Pos.to_nat i.
 Proof.
@@ -123,25 +126,30 @@ Proof.
   assert (past : forall q j l, j <> 1%positive -> pvalue l (Pinj (Pos.pred j) (PX q i (Pc 0%Q)))
     = pvalue (Env.jump (Pos.pred j) l) q * l j ^ Pos.to_nat i).
   { intros q j l h. rewrite there, here, jump_at. do 3 f_equal. lia. }
-  assert (case : forall (j : positive) (x y : poly), j = 1%positive /\ match j with xH => x | _ => y end = x \/
+  assert (case : forall (j : positive) (x y : poly), j = 1%positive /\ match j with xH => x | _ =>
+    y end = x \/
     j <> 1%positive /\ match j with xH => x | _ => y end = y).
   { intros [j|j|] x y; [right|right|left]; split; trivial; discriminate. }
   induction p as [c|k q IH|a IHa n b IHb]; intros j l; cbn [shift].
   - destruct (Qeq_bool c 0) eqn:E.
-    + apply Qeq_bool_eq in E. change (Q2R c = Q2R c * l j ^ Pos.to_nat i). rewrite (Qeq_eqR _ _ E), Q2R_0. ring.
-    + destruct (case j (PX (Pc c) i (Pc 0%Q)) (Pinj (Pos.pred j) (PX (Pc c) i (Pc 0%Q)))) as [[h ->]|[h ->]].
+    + apply Qeq_bool_eq in E. change (Q2R c = Q2R c * l j ^ Pos.to_nat i).
+        rewrite (Qeq_eqR _ _ E), Q2R_0. ring.
+    + destruct (case j (PX (Pc c) i (Pc 0%Q)) (Pinj (Pos.pred j) (PX (Pc c) i (Pc 0%Q))))
+        as [[h ->]|[h ->]].
       * rewrite here. now rewrite h.
       * now rewrite past.
   - assert (low : (j <= k)%positive -> pvalue l match j with xH => PX (Pinj k q) i (Pc 0%Q)
         | _ => Pinj (Pos.pred j) (PX (Pinj (k - Pos.pred j) q) i (Pc 0%Q)) end
       = pvalue l (Pinj k q) * l j ^ Pos.to_nat i).
-    { intro le. destruct (case j (PX (Pinj k q) i (Pc 0%Q)) (Pinj (Pos.pred j) (PX (Pinj (k - Pos.pred j) q) i (Pc 0%Q))))
+    { intro le. destruct (case j (PX (Pinj k q) i (Pc 0%Q)) (Pinj (Pos.pred j)
+      (PX (Pinj (k - Pos.pred j) q) i (Pc 0%Q))))
         as [[h ->]|[h ->]].
       - rewrite here. now rewrite h.
       - rewrite past by exact h. rewrite !there, (jump_jump _ _ k); trivial. lia. }
     destruct (Pos.compare_spec j k) as [e|e|e]; try (apply low; lia).
     rewrite mkPinj_value, IH, there, jump_at. do 3 f_equal. lia.
-  - destruct (case j (mkPX 0%Q Qeq_bool (PX a n b) i (Pc 0%Q)) (mkPX 0%Q Qeq_bool (shift i a j) n (shift i b (Pos.pred j))))
+  - destruct (case j (mkPX 0%Q Qeq_bool (PX a n b) i (Pc 0%Q)) (mkPX 0%Q Qeq_bool (shift i a j)
+      n (shift i b (Pos.pred j))))
       as [[h ->]|[h ->]].
     + rewrite mkPX_value, zero_polynomial, h. unfold Env.hd, Env.nth. ring.
     + rewrite mkPX_value, IHa, IHb, pvalue_PX. unfold Env.tail. rewrite jump_at.

@@ -1,4 +1,5 @@
-(* Deep terms: the twin of a statement.  The denotation computes, so that a concrete twin is convertible
+(* Deep terms: the twin of a statement.  The denotation computes,
+  so that a concrete twin is convertible
    with the statement it stands for; the kernel compares the two, no tactic has to be trusted. *)
 Require Import PatchProof.Definitions.
 Local Open Scope R_scope.
@@ -50,7 +51,8 @@ Fixpoint denote (Phi : list (list R -> R)) (sigma : list R) (t : term) {struct t
   | Bernstein n i a => Bern n i (denote Phi sigma a)
   | BSpline knots p i span a => Nspline knots p i span (denote Phi sigma a)
   | App f arguments => denoteF Phi sigma f (map (denote Phi sigma) arguments)
-  | Integral a b e => RInt (fun t => denote Phi (t :: sigma) e) (denote Phi sigma a) (denote Phi sigma b)
+  | Integral a b e => RInt (fun t => denote Phi (t :: sigma) e) (denote Phi sigma a)
+    (denote Phi sigma b)
   | Sqrt a => sqrt (denote Phi sigma a)
   end
 with denoteF (Phi : list (list R -> R)) (sigma : list R) (f : fn) {struct f} : list R -> R :=

@@ -1,71 +1,10 @@
 (* Polynomial functions are smooth: for the functions that a refutation gives as witness. *)
 Require Import QArith Lia FunctionalExtensionality.
 Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Expressions PatchProof.Normal.
-Require Import PatchProof.Smoothness PatchProof.Jets PatchProof.Derivatives PatchProof.Values PatchProof.Equations.
+Require Import PatchProof.Smoothness PatchProof.Jets PatchProof.Derivatives
+  PatchProof.PolynomialExpressions PatchProof.Values
+  PatchProof.Equations.
 Local Open Scope R_scope.
-
-(* A polynomial in the variables xs; what stands in its coefficients does not contain them. *)
-Fixpoint polynomial_in (xs : list positive) (e : ex) : bool :=
-  match e with
-  | Num _ | At _ => true
-  | Plus a b | Minus a b | Times a b => polynomial_in xs a && polynomial_in xs b
-  | Negate a | Power a _ => polynomial_in xs a
-  | _ => forallb (fun x => negb (occurs x e)) xs
-  end.
-
-Lemma free_denominators x e : occurs x e = false -> denominators x e = [].
-Proof.
-  induction e using ex_induction; cbn [occurs denominators]; intro h; trivial;
-    try (apply orb_false_elim in h; destruct h; now rewrite IHe1, IHe2); try (now apply IHe).
-  - apply existsb_false in h. induction l as [|a l IH]; trivial. inversion H; inversion h; subst. simpl.
-    rewrite H2 by trivial. now apply IH.
-  - now rewrite h.
-Qed.
-Lemma free_in xs x e : In x xs -> forallb (fun x => negb (occurs x e)) xs = true -> occurs x e = false.
-Proof. intros i h. rewrite forallb_forall in h. specialize (h x i). now apply negb_true_iff. Qed.
-Lemma free_differentiable S x e : occurs x e = false -> differentiable S x e = true.
-Proof.
-  induction e using ex_induction; cbn [occurs differentiable]; intro h; trivial;
-    try (apply orb_false_elim in h; destruct h; now rewrite IHe1, IHe2); try (now apply IHe).
-  - now rewrite h.
-  - now rewrite h.
-Qed.
-Lemma polynomial_differentiable S xs x e : In x xs -> polynomial_in xs e = true ->
-  differentiable S x e = true /\ denominators x e = [].
-Proof.
-  intro i. induction e using ex_induction; intro h; cbn [polynomial_in] in h; try (now split);
-    try (apply andb_prop in h; destruct h as [h1 h2]; destruct (IHe1 h1) as [a1 a2]; destruct (IHe2 h2) as [b1 b2];
-      cbn [differentiable denominators]; now rewrite a1, a2, b1, b2);
-    try (now apply IHe);
-    apply (free_in xs x _ i) in h; split; [now apply free_differentiable|now apply free_denominators
-      |now apply free_differentiable|now apply free_denominators|now apply free_differentiable|now apply free_denominators].
-Qed.
-Lemma added_polynomial xs a b :
-  polynomial_in xs a = true -> polynomial_in xs b = true -> polynomial_in xs (added a b) = true.
-Proof.
-  intros ha hb. unfold added. destruct a as [[[|p|p] d]| | | | | | | | |], b as [[[|q|q] d']| | | | | | | | |];
-    trivial; cbn [polynomial_in] in *; now rewrite ?ha, ?hb.
-Qed.
-Lemma multiplied_polynomial xs a b :
-  polynomial_in xs a = true -> polynomial_in xs b = true -> polynomial_in xs (multiplied a b) = true.
-Proof.
-  intros ha hb. unfold multiplied.
-  destruct a as [[[|[p|p|]|p] [d|d|]]| | | | | | | | |], b as [[[|q|q] d']| | | |[[[|q|q] d']| | | | | | | | |] b2| | | | |];
-    trivial; cbn [polynomial_in andb] in *; now rewrite ?ha, ?hb.
-Qed.
-Lemma polynomial_derivative xs x e : In x xs -> polynomial_in xs e = true -> polynomial_in xs (derivative x e) = true.
-Proof.
-  intro i. induction e using ex_induction; intro h; cbn [polynomial_in derivative] in *; trivial;
-    try (apply andb_prop in h; destruct h as [h1 h2]).
-  - now destruct (Pos.eqb p x).
-  - apply added_polynomial; auto.
-  - now rewrite IHe1, IHe2.
-  - apply added_polynomial; apply multiplied_polynomial; auto.
-  - auto.
-  - destruct n; trivial. apply multiplied_polynomial; trivial. apply multiplied_polynomial; auto.
-  - apply (free_in xs x _ i) in h. cbn [occurs] in h. now rewrite h.
-  - apply (free_in xs x _ i) in h. cbn [occurs] in h. now rewrite h.
-Qed.
 
 Section Functions.
 Variable Phi : list (list R -> R).
@@ -83,7 +22,8 @@ Qed.
 (* Polynomials are continuous in all their variables together. *)
 Lemma eval_continuous (T : UniformSpace) (r : T -> positive -> R) (t0 : T) xs e :
   (forall p, continuous (fun t => r t p) t0) ->
-  (forall a, forallb (fun x => negb (occurs x a)) xs = true -> forall t, eval Phi (r t) a = eval Phi (r t0) a) ->
+  (forall a, forallb (fun x => negb (occurs x a)) xs = true ->
+    forall t, eval Phi (r t) a = eval Phi (r t0) a) ->
   polynomial_in xs e = true -> continuous (fun t => eval Phi (r t) e) t0.
 Proof.
   intros hr hc. induction e using ex_induction; cbn [polynomial_in]; intro h;
@@ -94,7 +34,8 @@ Proof.
   - apply @continuous_minus; auto.
   - apply @continuous_mult; auto.
   - apply @continuous_opp; auto.
-  - specialize (IHe h). simpl. induction n as [|n IH]; [apply continuous_const|]. now apply @continuous_mult.
+  - specialize (IHe h). simpl. induction n as [|n IH]; [apply continuous_const|].
+      now apply @continuous_mult.
   - apply continuous_ext with (fun _ => eval Phi (r t0) (Jet j o l)); [|apply continuous_const].
     intro t. symmetry. now apply hc.
   - apply continuous_ext with (fun _ => eval Phi (r t0) (Inverse e)); [|apply continuous_const].
@@ -126,33 +67,43 @@ Qed.
 Lemma free_three a u v w : forallb (fun x => negb (occurs x a)) [1; 2; 3]%positive = true ->
   eval Phi (at3 u v w) a = eval Phi rho a.
 Proof.
-  simpl. intro h. apply andb_prop in h. destruct h as [h1 h]. apply andb_prop in h. destruct h as [h2 h].
+  simpl. intro h. apply andb_prop in h. destruct h as [h1 h]. apply andb_prop in h.
+    destruct h as [h2 h].
   apply andb_prop in h. destruct h as [h3 _]. apply negb_true_iff in h1, h2, h3.
   unfold at3, at2, at1. now rewrite !eval_update.
 Qed.
 Lemma free_two a u v : forallb (fun x => negb (occurs x a)) [1; 2]%positive = true ->
   eval Phi (at2 u v) a = eval Phi rho a.
 Proof.
-  simpl. intro h. apply andb_prop in h. destruct h as [h1 h]. apply andb_prop in h. destruct h as [h2 _].
+  simpl. intro h. apply andb_prop in h. destruct h as [h1 h]. apply andb_prop in h.
+    destruct h as [h2 _].
   apply negb_true_iff in h1, h2. unfold at2, at1. now rewrite !eval_update.
 Qed.
 
-Lemma smooth_one n : forall e, polynomial_in [1%positive] e = true -> smooth n (fun u => eval Phi (at1 u) e).
+Lemma smooth_one n : forall e, polynomial_in [1%positive] e = true ->
+  smooth n (fun u => eval Phi (at1 u) e).
 Proof.
-  assert (D : forall k e, polynomial_in [1%positive] e = true -> exists e', polynomial_in [1%positive] e' = true /\
+  assert (D : forall k e, polynomial_in [1%positive] e = true ->
+    exists e', polynomial_in [1%positive] e' = true /\
     Nat.iter k Derive (fun u => eval Phi (at1 u) e) = (fun u => eval Phi (at1 u) e')).
   { induction k as [|k IH]; intros e h; [now exists e|]. destruct (IH e h) as [e' [h' E]].
-    exists (derivative 1 e'). split; [apply polynomial_derivative; trivial; now left|]. simpl. rewrite E.
-    apply functional_extensionality. intro u. apply is_derive_unique. apply (slope_in [1%positive]); trivial. now left. }
-  intros e h k x _. destruct (D k e h) as [e' [h' ->]]. eexists. apply (slope_in [1%positive]); trivial. now left.
+    exists (derivative 1 e'). split; [apply polynomial_derivative; trivial; now left|]. simpl.
+      rewrite E.
+    apply functional_extensionality. intro u. apply is_derive_unique.
+      apply (slope_in [1%positive]); trivial. now left. }
+  intros e h k x _. destruct (D k e h) as [e' [h' ->]]. eexists.
+    apply (slope_in [1%positive]); trivial. now left.
 Qed.
 
-Lemma smooth_two n : forall e, polynomial_in [1; 2]%positive e = true -> smooth2 n (fun u v => eval Phi (at2 u v) e).
+Lemma smooth_two n : forall e, polynomial_in [1; 2]%positive e = true ->
+  smooth2 n (fun u v => eval Phi (at2 u v) e).
 Proof.
-  assert (C : forall e, polynomial_in [1; 2]%positive e = true -> forall u v, continuous2 (fun u v => eval Phi (at2 u v) e) u v).
+  assert (C : forall e, polynomial_in [1; 2]%positive e = true ->
+    forall u v, continuous2 (fun u v => eval Phi (at2 u v) e) u v).
   { intros e h u v eps he.
     assert (c : continuous (fun p : R * R => eval Phi (at2 (fst p) (snd p)) e) (u, v)).
-    { apply (eval_continuous _ (fun p : R * R => at2 (fst p) (snd p)) (u, v) [1; 2]%positive); trivial.
+    { apply (eval_continuous _ (fun p : R * R => at2 (fst p) (snd p)) (u, v) [1; 2]%positive);
+      trivial.
       - intro p. unfold at2, at1, update. destruct (Pos.eqb p 2); [apply continuous_snd|].
         destruct (Pos.eqb p 1); [apply continuous_fst|apply continuous_const].
       - intros a ha t. now rewrite !free_two. }
@@ -160,7 +111,8 @@ Proof.
     exists d. split; [apply cond_pos|]. intros x y hx hy. exact (H (x, y) (conj hx hy)). }
   assert (A : forall e, polynomial_in [1; 2]%positive e = true -> forall u v,
     is_derive (fun t => eval Phi (at2 t v) e) u (eval Phi (at2 u v) (derivative 1 e))).
-  { intros e h u v. rewrite two_swap. apply is_derive_ext with (fun t => eval Phi (update (update rho 2 v) 1 t) e).
+  { intros e h u v. rewrite two_swap. apply is_derive_ext with (fun t => eval Phi (update (update
+    rho 2 v) 1 t) e).
     - intro t. now rewrite two_swap.
     - apply (slope_in [1; 2]%positive); trivial. now left. }
   assert (B : forall e, polynomial_in [1; 2]%positive e = true -> forall u v,
@@ -169,11 +121,13 @@ Proof.
   induction n as [|n IH]; intros e h; split; try (now apply C); trivial. repeat split.
   - eexists. now apply A.
   - eexists. now apply B.
-  - replace (D_u (fun u v => eval Phi (at2 u v) e)) with (fun u v => eval Phi (at2 u v) (derivative 1 e)).
+  - replace (D_u (fun u v => eval Phi (at2 u v) e)) with (fun u v => eval Phi (at2 u v)
+      (derivative 1 e)).
     + apply IH, polynomial_derivative; trivial. now left.
     + apply functional_extensionality; intro u. apply functional_extensionality; intro v. symmetry.
       apply is_derive_unique. now apply A.
-  - replace (D_v (fun u v => eval Phi (at2 u v) e)) with (fun u v => eval Phi (at2 u v) (derivative 2 e)).
+  - replace (D_v (fun u v => eval Phi (at2 u v) e)) with (fun u v => eval Phi (at2 u v)
+      (derivative 2 e)).
     + apply IH, polynomial_derivative; trivial. right; now left.
     + apply functional_extensionality; intro u. apply functional_extensionality; intro v. symmetry.
       apply is_derive_unique. now apply B.
@@ -185,8 +139,10 @@ Proof.
   assert (C : forall e, polynomial_in [1; 2; 3]%positive e = true ->
     forall u v w, continuous3 (fun u v w => eval Phi (at3 u v w) e) u v w).
   { intros e h u v w eps he.
-    assert (c : continuous (fun p : R * R * R => eval Phi (at3 (fst (fst p)) (snd (fst p)) (snd p)) e) (u, v, w)).
-    { apply (eval_continuous _ (fun p : R * R * R => at3 (fst (fst p)) (snd (fst p)) (snd p)) (u, v, w)
+    assert (c : continuous (fun p : R * R * R => eval Phi (at3 (fst (fst p)) (snd (fst p))
+      (snd p)) e) (u, v, w)).
+    { apply (eval_continuous _ (fun p : R * R * R => at3 (fst (fst p)) (snd (fst p)) (snd p)) (u,
+      v, w)
         [1; 2; 3]%positive); trivial.
       - intro p. unfold at3, at2, at1, update. destruct (Pos.eqb p 3); [apply continuous_snd|].
         destruct (Pos.eqb p 2).
@@ -195,7 +151,8 @@ Proof.
         apply (continuous_comp fst fst); apply continuous_fst.
       - intros a ha t. now rewrite !free_three. }
     destruct (proj1 (filterlim_locally _ _) c (mkposreal eps he)) as [d H].
-    exists d. split; [apply cond_pos|]. intros x y z hx hy hz. exact (H (x, y, z) (conj (conj hx hy) hz)). }
+    exists d. split; [apply cond_pos|]. intros x y z hx hy hz.
+      exact (H (x, y, z) (conj (conj hx hy) hz)). }
   assert (A : forall e, polynomial_in [1; 2; 3]%positive e = true -> forall u v w,
     is_derive (fun t => eval Phi (at3 t v w) e) u (eval Phi (at3 u v w) (derivative 1 e))).
   { intros e h u v w. rewrite three_swap1.
@@ -215,15 +172,18 @@ Proof.
   - eexists. now apply A.
   - eexists. now apply B.
   - eexists. now apply B'.
-  - replace (D_1 (fun u v w => eval Phi (at3 u v w) e)) with (fun u v w => eval Phi (at3 u v w) (derivative 1 e)).
+  - replace (D_1 (fun u v w => eval Phi (at3 u v w) e)) with (fun u v w => eval Phi (at3 u v w)
+      (derivative 1 e)).
     + apply IH, polynomial_derivative; trivial. now left.
     + apply functional_extensionality; intro u. apply functional_extensionality; intro v.
       apply functional_extensionality; intro w. symmetry. apply is_derive_unique. now apply A.
-  - replace (D_2 (fun u v w => eval Phi (at3 u v w) e)) with (fun u v w => eval Phi (at3 u v w) (derivative 2 e)).
+  - replace (D_2 (fun u v w => eval Phi (at3 u v w) e)) with (fun u v w => eval Phi (at3 u v w)
+      (derivative 2 e)).
     + apply IH, polynomial_derivative; trivial. right; now left.
     + apply functional_extensionality; intro u. apply functional_extensionality; intro v.
       apply functional_extensionality; intro w. symmetry. apply is_derive_unique. now apply B.
-  - replace (D_3 (fun u v w => eval Phi (at3 u v w) e)) with (fun u v w => eval Phi (at3 u v w) (derivative 3 e)).
+  - replace (D_3 (fun u v w => eval Phi (at3 u v w) e)) with (fun u v w => eval Phi (at3 u v w)
+      (derivative 3 e)).
     + apply IH, polynomial_derivative; trivial. right; right; now left.
     + apply functional_extensionality; intro u. apply functional_extensionality; intro v.
       apply functional_extensionality; intro w. symmetry. apply is_derive_unique. now apply B'.
@@ -240,7 +200,8 @@ Definition check_polynomial (n m : nat) (body : term) : bool :=
 Lemma variables_fresh x n : (x < 64)%positive -> fresh x (variables n) = true.
 Proof.
   intro h. unfold fresh, variables. apply negb_true_iff. generalize (seq 0 n). intro l.
-  induction l as [|k l IH]; trivial. cbn [map existsb occurs]. rewrite IH, orb_false_r. apply Pos.eqb_neq. lia.
+  induction l as [|k l IH]; trivial. cbn [map existsb occurs]. rewrite IH, orb_false_r.
+    apply Pos.eqb_neq. lia.
 Qed.
 Lemma variables_elsewhere Phi sigma x r t : (x < 64)%positive ->
   map (eval Phi r) (variables (length sigma)) = sigma ->
@@ -255,39 +216,49 @@ Hypothesis length_sigma : length sigma = n.
 Lemma variables_one u : map (eval Phi (at1 (assignment sigma) u)) (variables n) = sigma.
 Proof. rewrite <- length_sigma. apply variables_elsewhere; [lia|apply variables_value]. Qed.
 Lemma variables_two u v : map (eval Phi (at2 (assignment sigma) u v)) (variables n) = sigma.
-Proof. rewrite <- length_sigma. apply variables_elsewhere; [lia|]. rewrite length_sigma. apply variables_one. Qed.
+Proof. rewrite <- length_sigma. apply variables_elsewhere; [lia|]. rewrite length_sigma.
+  apply variables_one. Qed.
 Lemma variables_three u v w : map (eval Phi (at3 (assignment sigma) u v w)) (variables n) = sigma.
-Proof. rewrite <- length_sigma. apply variables_elsewhere; [lia|]. rewrite length_sigma. apply variables_two. Qed.
+Proof. rewrite <- length_sigma. apply variables_elsewhere; [lia|]. rewrite length_sigma.
+  apply variables_two. Qed.
 Theorem polynomial_smooth m body : check_polynomial n 1 body = true ->
   smooth m (fun u => denote Phi (u :: sigma) body).
 Proof.
-  unfold check_polynomial. destruct (value [] 4 _ body) as [[e [|? ?]]|] eqn:E; try discriminate. intro h.
-  replace (fun u => denote Phi (u :: sigma) body) with (fun u => eval Phi (at1 (assignment sigma) u) (normal e)).
+  unfold check_polynomial. destruct (value [] 4 _ body) as [[e [|? ?]]|] eqn:E; try discriminate.
+    intro h.
+  replace (fun u => denote Phi (u :: sigma) body) with (fun u => eval Phi (at1 (assignment sigma)
+    u) (normal e)).
   - now apply (smooth_one Phi [] I).
   - apply functional_extensionality; intro u.
-    rewrite normal_value, <- (value_correct [] Phi I body _ _ _ _ _ E) by constructor. rewrite map_app.
+    rewrite normal_value, <- (value_correct [] Phi I body _ _ _ _ _ E) by constructor.
+      rewrite map_app.
     now rewrite variables_one.
 Qed.
 Theorem polynomial_smooth2 m body : check_polynomial n 2 body = true ->
   smooth2 m (fun u v => denote Phi (u :: v :: sigma) body).
 Proof.
-  unfold check_polynomial. destruct (value [] 4 _ body) as [[e [|? ?]]|] eqn:E; try discriminate. intro h.
-  replace (fun u v => denote Phi (u :: v :: sigma) body) with (fun u v => eval Phi (at2 (assignment sigma) u v) (normal e)).
+  unfold check_polynomial. destruct (value [] 4 _ body) as [[e [|? ?]]|] eqn:E; try discriminate.
+    intro h.
+  replace (fun u v => denote Phi (u :: v :: sigma) body) with (fun u v => eval Phi (at2 (assignment
+    sigma) u v) (normal e)).
   - now apply (smooth_two Phi [] I).
   - apply functional_extensionality; intro u. apply functional_extensionality; intro v.
-    rewrite normal_value, <- (value_correct [] Phi I body _ _ _ _ _ E) by constructor. rewrite map_app.
+    rewrite normal_value, <- (value_correct [] Phi I body _ _ _ _ _ E) by constructor.
+      rewrite map_app.
     now rewrite variables_two.
 Qed.
 Theorem polynomial_smooth3 m body : check_polynomial n 3 body = true ->
   smooth3 m (fun u v w => denote Phi (u :: v :: w :: sigma) body).
 Proof.
-  unfold check_polynomial. destruct (value [] 4 _ body) as [[e [|? ?]]|] eqn:E; try discriminate. intro h.
+  unfold check_polynomial. destruct (value [] 4 _ body) as [[e [|? ?]]|] eqn:E; try discriminate.
+    intro h.
   replace (fun u v w => denote Phi (u :: v :: w :: sigma) body)
     with (fun u v w => eval Phi (at3 (assignment sigma) u v w) (normal e)).
   - now apply (smooth_three Phi [] I).
   - apply functional_extensionality; intro u. apply functional_extensionality; intro v.
     apply functional_extensionality; intro w.
-    rewrite normal_value, <- (value_correct [] Phi I body _ _ _ _ _ E) by constructor. rewrite map_app.
+    rewrite normal_value, <- (value_correct [] Phi I body _ _ _ _ _ E) by constructor.
+      rewrite map_app.
     now rewrite variables_three.
 Qed.
 End Bodies.
