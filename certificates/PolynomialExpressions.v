@@ -1,8 +1,7 @@
 (* Expressions that are polynomials in some of their variables. *)
 Require Import QArith Lia FunctionalExtensionality.
 Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Expressions PatchProof.Normal.
-Require Import PatchProof.Derivatives
-  PatchProof.Equations.
+Require Import PatchProof.Derivatives.
 Local Open Scope R_scope.
 
 (* A polynomial in the variables xs; what stands in its coefficients does not contain them. *)

@@ -11,8 +11,8 @@ mutant() {  # file, sed expression
 mutant coons 's/Opp (Var 0); Int 0; Int 0\]/Var 0; Int 0; Int 0]/'                      # a cofactor
 mutant coons 's/(curve 0 (Int 1), curve 3 (Int 0))/(curve 0 (Int 1), curve 3 (Int 1))/'   # a hypothesis of the twin
 mutant coons 's/- ((1 - u) \* (1 - v) \* C1 0/+ ((1 - u) * (1 - v) * C1 0/'               # the statement
-mutant coons 's/Smooth 1 2; Smooth 1 2\]/Smooth 1 2; Smooth 1 3]/'                        # more smoothness than given
-mutant coons 's/Smooth 1 2; Smooth 1 2\]/Smooth 1 2; Smooth 1 1]/'                        # too little smoothness
+mutant coons 's/Smooth 1 2\]/Smooth 1 3]/'                        # more smoothness than given
+mutant coons 's/smooth 2/smooth 1/g; s/Smooth 1 2/Smooth 1 1/g'                        # too little smoothness
 mutant coons 's/(Lam 1 (Int 1)) (Lam 1 (Int 0))/(Lam 1 (Int 0)) (Lam 1 (Int 0))/'         # the twin of the witness
 mutant curves 's,1 / 4 \* b0 + 3 / 4 \* b1,1 / 4 * b0 + 1 / 2 * b1,'                     # a coefficient
 mutant curves 's/Mul (Int 4) (Mul (Pow (Var 0) 2)/Mul (Int 2) (Mul (Pow (Var 0) 2)/'      # a cofactor
