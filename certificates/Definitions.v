@@ -1,7 +1,9 @@
-(* The vocabulary of the statements.  A reader who wants to know what was proved reads this file and the
-   statement of the certificate, nothing else (besides Reals of the standard library and the definitions
+(* The vocabulary of the statements.  A reader who wants to know what was proved reads this file
+  and the
+   statement of the certificate, nothing else (besides Reals of the standard library and the
+     definitions
    of Derive and RInt in Coquelicot). *)
-Require Export Reals List.
+Require Export Reals List QArith_base.
 From Coquelicot Require Export Rbar Hierarchy Continuity Derive RInt.
 Export ListNotations.
 Local Open Scope R_scope.
@@ -17,7 +19,8 @@ Fixpoint binom (n k : nat) : Z :=
 (* The Bernstein polynomial B_i^n(t). *)
 Definition Bern (n i : nat) (t : R) : R := IZR (binom n i) * t ^ i * (1 - t) ^ (n - i).
 
-(* Partial derivatives of functions of two and of three arguments.  Derive f x is Coquelicot's f'(x);
+(* Partial derivatives of functions of two and of three arguments.
+  Derive f x is Coquelicot's f'(x);
    where f is not differentiable its value is not specified by anything that is used here. *)
 Definition D_u (r : R -> R -> R) (u v : R) : R := Derive (fun t => r t v) u.
 Definition D_v (r : R -> R -> R) (u v : R) : R := Derive (fun t => r u t) v.
@@ -55,3 +58,25 @@ Fixpoint smooth3 (n : nat) (r : R -> R -> R -> R) : Prop :=
          ex_derive (fun t => r u v t) w) /\
       smooth3 n' (D_1 r) /\ smooth3 n' (D_2 r) /\ smooth3 n' (D_3 r)
   end.
+
+(* B-splines by the recursion of Cox and de Boor.  The knots are rational; 0/0 is 0.
+  N_piece is the polynomial
+   that the basis function N_{i,p} is between the knots number span and span + 1, at x,
+     and Nspline the same with
+   the local parameter t from 0 to 1 between these two knots. *)
+Definition rational (q : Q) : R := IZR (Qnum q) / IZR (Zpos (Qden q)).
+Definition knot (knots : list Q) (i : nat) : Q := nth i knots 0%Q.
+Definition weight (x : R) (d : Q) : R := if Qeq_bool d 0 then 0 else x / rational d.
+Fixpoint N_piece (knots : list Q) (p i span : nat) (x : R) : R :=
+  match p with
+  | O => if Nat.eqb i span then 1 else 0
+  | S q =>
+      weight (x - rational (knot knots i)) (knot knots (i + p) - knot knots i)%Q
+        * N_piece knots q i span x
+      + weight (rational (knot knots (i + p + 1)) - x) (knot knots (i + p + 1)
+          - knot knots (i + 1))%Q
+        * N_piece knots q (i + 1) span x
+  end.
+Definition Nspline (knots : list Q) (p i span : nat) (t : R) : R :=
+  N_piece knots p i span ((1 - t) * rational (knot knots span)
+    + t * rational (knot knots (span + 1))).

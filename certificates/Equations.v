@@ -1,19 +1,24 @@
 (* Certificates of equations. *)
 Require Import QArith Qreals Lia Lra.
-Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials PatchProof.Expressions.
-Require Import PatchProof.Normal PatchProof.Jets PatchProof.Values PatchProof.Fractions.
+Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials
+  PatchProof.Expressions.
+Require Import PatchProof.Normal PatchProof.Jets PatchProof.Values PatchProof.Fractions
+  PatchProof.Vanishing.
 Local Open Scope R_scope.
 
-(* The variables of a term stand for the places from 64 on; the places before are for bound variables. *)
+(* The variables of a term stand for the places from 64 on;
+  the places before are for bound variables. *)
 Definition variables (n : nat) : list ex := map (fun k => At (Pos.of_succ_nat (63 + k))) (seq 0 n).
 Definition assignment (sigma : list R) (p : positive) : R := nth (pred (Pos.to_nat p) - 63) sigma 0.
-Lemma variables_value Phi sigma : map (eval Phi (assignment sigma)) (variables (length sigma)) = sigma.
+Lemma variables_value Phi sigma : map (eval Phi (assignment sigma)) (variables (length sigma))
+  = sigma.
 Proof.
   unfold variables. rewrite map_map. cbn [eval].
   apply nth_ext with 0 0; rewrite ?map_length, ?seq_length; trivial. intros k h.
   set (f := fun k => assignment sigma (Pos.of_succ_nat (63 + k))).
   rewrite (nth_indep _ 0 (f 0%nat)) by now rewrite map_length, seq_length.
-  rewrite map_nth, seq_nth by exact h. unfold f, assignment. rewrite SuccNat2Pos.id_succ. f_equal. cbn [pred]. lia.
+  rewrite map_nth, seq_nth by exact h. unfold f, assignment. rewrite SuccNat2Pos.id_succ. f_equal.
+    cbn [pred]. lia.
 Qed.
 
 (* Hypotheses of a certificate. *)
@@ -28,10 +33,12 @@ Fixpoint all_nonzero (Phi : list (list R -> R)) (sigma : list R) (l : list term)
   | a :: l' => denote Phi sigma a <> 0 /\ all_nonzero Phi sigma l'
   end.
 
-(* A reason for a polynomial d to be different from 0: m d is the product of the terms with these numbers in
+(* A reason for a polynomial d to be different from 0: m d is the product of the terms with these
+  numbers in
    the list of the terms different from 0, up to cofactors times the hypotheses. *)
 Definition reason : Type := term * list nat * list term.
-Definition Reason (m : term) (numbers : list nat) (cofactors : list term) : reason := (m, numbers, cofactors).
+Definition Reason (m : term) (numbers : list nat) (cofactors : list term) : reason :=
+  (m, numbers, cofactors).
 
 Section Check.
 Variable smoothness : list (nat * nat).
@@ -40,26 +47,29 @@ Variable hypotheses : list (term * term).
 Variable nonzero_terms : list term.
 
 Definition evaluated (t : term) : result :=
-  match value smoothness 1 (variables n) t with Some (e, c) => Some (normal e, c) | None => None end.
+  match value smoothness 1 (variables n) t with Some (e, c) => Some (normal e,
+    c) | None => None end.
 (* Any expression will do for data that need no proof. *)
 Definition data (t : term) : ex := match evaluated t with Some (e, _) => e | None => Num 0 end.
-(* A hypothesis, respectively a term different from 0, that needs no condition; else a trivial one. *)
+(* A hypothesis, respectively a term different from 0, that needs no condition;
+  else a trivial one. *)
 Definition plain_difference (h : term * term) : ex :=
   match evaluated (fst h), evaluated (snd h) with
   | Some (a, []), Some (b, []) => Minus a b
   | _, _ => Num 0
   end.
-Definition plain_nonzero (t : term) : ex := match evaluated t with Some (e, []) => e | _ => Num 1 end.
-Fixpoint sum (cofactors differences : list ex) : ex :=
+Definition plain_nonzero (t : term) : ex := match evaluated t with Some (e,
+  []) => e | _ => Num 1 end.
+Fixpoint weighted_sum (cofactors differences : list ex) : ex :=
   match cofactors, differences with
-  | Num (0 # _) :: l, _ :: m => sum l m
-  | q :: l, d :: m => Plus (Times q d) (sum l m)
+  | Num (0 # _) :: l, _ :: m => weighted_sum l m
+  | q :: l, d :: m => Plus (Times q d) (weighted_sum l m)
   | _, _ => Num 0
   end.
 Definition fact (differences nonzeros : list ex) (r : reason) : ex * ex :=
   let '(m, l, q) := r in
   (data m, Plus (fold_right (fun i p => Times (nth i nonzeros (Num 1)) p) (Num 1) l)
-                (sum (map data q) differences)).
+                (weighted_sum (map data q) differences)).
 Definition knowledge (reasons : list reason) : list (ex * ex) :=
   let differences := map plain_difference hypotheses in
   let nonzeros := map plain_nonzero nonzero_terms in
@@ -72,7 +82,8 @@ Definition known_value (K : list (ex * ex)) (t : term) : option ex :=
   | None => None
   end.
 (* The sum of the cofactors times the hypotheses; what is not needed is not looked at. *)
-Fixpoint combination (K : list (ex * ex)) (cofactors : list term) (l : list (term * term)) : option ex :=
+Fixpoint combination (K : list (ex * ex)) (cofactors : list term) (l : list (term * term))
+  : option ex :=
   match cofactors, l with
   | q :: cofactors', (a, b) :: l' =>
       match combination K cofactors' l', data q with
@@ -92,8 +103,20 @@ Definition check_equation (reasons : list reason) (cofactors : list term) (l r :
   | Some x, Some y, Some s => vanishes K (normal (Minus (Minus x y) s))
   | _, _, _ => false
   end.
+(* For a certificate that fails: what is left of l - r, and whether each of its divisors is known
+  not to be 0. *)
+Definition residue (reasons : list reason) (cofactors : list term) (l r : term)
+  : option (ex * list bool) :=
+  let K := knowledge reasons in
+  match known_value K l, known_value K r, combination K cofactors hypotheses with
+  | Some x, Some y, Some s =>
+      let e := normal (Minus (Minus x y) s) in
+      let T := table_for K e in Some (e, map (shown_nonzero T K) (divisors T e))
+  | _, _, _ => None
+  end.
 Definition check_nonzero (reasons : list reason) (t : term) : bool :=
-  let K := knowledge reasons in match known_value K t with Some e => never_zero K e | None => false end.
+  let K := knowledge reasons in match known_value K t with Some e => never_zero K e | None => false
+    end.
 
 Variable Phi : list (list R -> R).
 Variable sigma : list R.
@@ -104,10 +127,13 @@ Hypothesis different : all_nonzero Phi sigma nonzero_terms.
 Notation eval := (eval Phi (assignment sigma)).
 Notation denote := (denote Phi sigma).
 
-Lemma evaluated_value t e c : evaluated t = Some (e, c) -> Forall (fun d => eval d <> 0) c -> denote t = eval e.
+Lemma evaluated_value t e c : evaluated t = Some (e, c) -> Forall (fun d => eval d <> 0) c ->
+  denote t = eval e.
 Proof.
-  unfold evaluated. destruct (value smoothness 1 (variables n) t) as [[x d]|] eqn:E; try discriminate.
-  intros [= <- <-] h. rewrite normal_value, <- (value_correct _ _ smooth_functions t _ _ _ _ _ E h), <- number.
+  unfold evaluated. destruct (value smoothness 1 (variables n) t) as [[x d]|] eqn:E;
+    try discriminate.
+  intros [= <- <-] h. rewrite normal_value, <- (value_correct _ _ smooth_functions t _ _ _ _ _ E
+    h), <- number.
   now rewrite variables_value.
 Qed.
 Lemma plain_differences_vanish : Forall (fun d => eval d = 0) (map plain_difference hypotheses).
@@ -116,39 +142,46 @@ Proof.
   - destruct equations as [h _]. unfold plain_difference. cbn [fst snd].
     destruct (evaluated a) as [[x [|? ?]]|] eqn:A; try exact zero_value.
     destruct (evaluated b) as [[y [|? ?]]|] eqn:B; try exact zero_value.
-    cbn [Expressions.eval]. rewrite <- (evaluated_value _ _ _ A), <- (evaluated_value _ _ _ B), h by constructor. ring.
+    cbn [Expressions.eval]. rewrite <- (evaluated_value _ _ _ A), <- (evaluated_value _ _ _ B),
+      h by constructor. ring.
   - apply IH. apply equations.
 Qed.
 Lemma plain_nonzero_values : Forall (fun d => eval d <> 0) (map plain_nonzero nonzero_terms).
 Proof.
   assert (one : eval (Num 1) <> 0) by (cbn [Expressions.eval]; rewrite one_value; apply R1_neq_R0).
   rewrite Forall_map. induction nonzero_terms as [|a l IH]; constructor.
-  - destruct different as [h _]. unfold plain_nonzero. destruct (evaluated a) as [[x [|? ?]]|] eqn:A; trivial.
+  - destruct different as [h _]. unfold plain_nonzero. destruct (evaluated a)
+      as [[x [|? ?]]|] eqn:A; trivial.
     rewrite <- (evaluated_value _ _ _ A) by constructor. exact h.
   - apply IH. apply different.
 Qed.
-Lemma sum_vanishes q : forall d, Forall (fun d => eval d = 0) d -> eval (sum q d) = 0.
+Lemma weighted_sum_vanishes q : forall d, Forall (fun d => eval d = 0) d ->
+  eval (weighted_sum q d) = 0.
 Proof.
   induction q as [|a q IH]; intros [|x d] h; try (now destruct a); try exact zero_value.
   - simpl. destruct a as [[[| |] ?]| | | | | | | | |]; exact zero_value.
   - inversion h; subst.
-    assert (A : eval (Plus (Times a x) (sum q d)) = 0) by (cbn [Expressions.eval]; rewrite IH, H1 by trivial; ring).
-    simpl sum. destruct a as [[[| |] ?]| | | | | | | | |]; trivial. now apply IH.
+    assert (A : eval (Plus (Times a x) (weighted_sum q d)) = 0) by (cbn [Expressions.eval];
+      rewrite IH, H1 by trivial; ring).
+    simpl weighted_sum. destruct a as [[[| |] ?]| | | | | | | | |]; trivial. now apply IH.
 Qed.
 Lemma knowledge_holds reasons : Forall (fun f => eval (snd f) <> 0) (knowledge reasons).
 Proof.
-  unfold knowledge. apply Forall_app. pose proof plain_nonzero_values as z. split; rewrite Forall_map.
+  unfold knowledge. apply Forall_app. pose proof plain_nonzero_values as z.
+    split; rewrite Forall_map.
   - revert z. now apply Forall_impl.
   - rewrite Forall_forall. intros [[m l] q] _. cbn [fact snd Expressions.eval].
-    rewrite sum_vanishes, Rplus_0_r by apply plain_differences_vanish.
-    assert (one : eval (Num 1) <> 0) by (cbn [Expressions.eval]; rewrite one_value; apply R1_neq_R0).
+    rewrite weighted_sum_vanishes, Rplus_0_r by apply plain_differences_vanish.
+    assert (one : eval (Num 1) <> 0) by (cbn [Expressions.eval]; rewrite one_value;
+      apply R1_neq_R0).
     induction l as [|i l IH]; [exact one|]. cbn [fold_right Expressions.eval].
     apply Rmult_integral_contrapositive_currified; trivial.
     destruct (Nat.ltb_spec i (length (map plain_nonzero nonzero_terms))) as [h|h].
     + rewrite Forall_forall in z. apply z. now apply nth_In.
     + rewrite nth_overflow by exact h. exact one.
 Qed.
-Lemma known_value_correct reasons t e : known_value (knowledge reasons) t = Some e -> denote t = eval e.
+Lemma known_value_correct reasons t e : known_value (knowledge reasons) t = Some e ->
+  denote t = eval e.
 Proof.
   unfold known_value. destruct (evaluated t) as [[x c]|] eqn:E; try discriminate.
   destruct (forallb _ c) eqn:F; try discriminate. intros [= <-]. apply (evaluated_value _ _ _ E).
@@ -158,15 +191,18 @@ Qed.
 Lemma combination_vanishes reasons q : forall s l, all_equal Phi sigma l ->
   combination (knowledge reasons) q l = Some s -> eval s = 0.
 Proof.
-  induction q as [|a q IH]; intros s [|[x y] l] h E; simpl in E; try (injection E as <-; exact zero_value).
+  induction q as [|a q IH]; intros s [|[x y] l] h E; simpl in E; try (injection E as <-;
+    exact zero_value).
   destruct (combination (knowledge reasons) q l) as [s'|] eqn:C; try discriminate.
   destruct h as [h h']. specialize (IH _ _ h' C).
-  assert (A : forall e, match known_value (knowledge reasons) x, known_value (knowledge reasons) y with
+  assert (A : forall e, match known_value (knowledge reasons) x,
+    known_value (knowledge reasons) y with
           | Some x, Some y => Some (Plus (Times e (Minus x y)) s')
           | _, _ => None
           end = Some s -> eval s = 0).
   { intros e. destruct (known_value _ x) as [u|] eqn:U; try discriminate.
-    destruct (known_value _ y) as [v|] eqn:V; try discriminate. intros [= <-]. cbn [Expressions.eval].
+    destruct (known_value _ y) as [v|] eqn:V; try discriminate. intros [= <-].
+      cbn [Expressions.eval].
     rewrite IH, <- (known_value_correct _ _ _ U), <- (known_value_correct _ _ _ V), h. ring. }
   destruct (data a) as [[[| |] ?]| | | | | | | | |]; try (now apply A in E). now injection E as <-.
 Qed.
@@ -178,7 +214,8 @@ Proof.
   destruct (known_value K l) as [x|] eqn:X; try discriminate.
   destruct (known_value K r) as [y|] eqn:Y; try discriminate.
   destruct (combination K cofactors hypotheses) as [s|] eqn:E; try discriminate. intro h.
-  apply (vanishes_correct Phi (assignment sigma) K (knowledge_holds reasons)) in h. rewrite normal_value in h.
+  apply (vanishes_correct Phi (assignment sigma) K (knowledge_holds reasons)) in h.
+    rewrite normal_value in h.
   cbn [Expressions.eval] in h. rewrite (combination_vanishes _ _ _ _ equations E) in h.
   rewrite (known_value_correct _ _ _ X), (known_value_correct _ _ _ Y). lra.
 Qed.
@@ -190,7 +227,8 @@ Proof.
 Qed.
 End Check.
 
-(* l = r for all values of the unknown functions and of the variables for which the hypotheses hold. *)
+(* l = r for all values of the unknown functions and of the variables for which the hypotheses
+  hold. *)
 Theorem equation Phi sigma smoothness n hypotheses nonzero reasons cofactors l r :
   smooth_all smoothness Phi -> length sigma = n ->
   all_equal Phi sigma hypotheses -> all_nonzero Phi sigma nonzero ->

@@ -1,4 +1,5 @@
-(* Binder-free expressions: polynomials in variables and atoms.  Atoms are jets (derivatives of unknown
+(* Binder-free expressions: polynomials in variables and atoms.
+  Atoms are jets (derivatives of unknown
    functions at expressions), inverses and square roots. *)
 Require Import QArith Qreals.
 Require Import PatchProof.Definitions PatchProof.Terms.
@@ -12,11 +13,13 @@ Inductive ex : Type :=
   | Times (a b : ex)
   | Negate (a : ex)
   | Power (a : ex) (n : nat)
-  | Jet (j : nat) (orders : list nat) (arguments : list ex)  (* derivative of the j-th unknown function *)
+  | Jet (j : nat) (orders : list nat) (arguments : list ex)
+    (* derivative of the j-th unknown function *)
   | Inverse (a : ex)
   | Root (a : ex).
 
-(* The derivative of f of the given orders; the orders belong to the arguments from the k-th one on, and the
+(* The derivative of f of the given orders; the orders belong to the arguments from the k-th one
+  on, and the
    derivatives in the earlier arguments are taken last. *)
 Fixpoint jet (k : nat) (orders : list nat) (f : list R -> R) : list R -> R :=
   match orders with
@@ -118,17 +121,20 @@ Lemma compare_eq : forall a b, compare a b = Eq -> a = b.
 Proof.
   induction a using ex_induction; intros [] e; simpl in e; try discriminate;
     try (apply then_eq in e; destruct e as [e1 e2]); try (f_equal; now auto).
-  - destruct q as [n d], q0 as [n' d']; simpl in *. apply Z.compare_eq in e1. apply Pos.compare_eq in e2.
+  - destruct q as [n d], q0 as [n' d']; simpl in *. apply Z.compare_eq in e1.
+      apply Pos.compare_eq in e2.
     now subst.
   - f_equal. now apply Pos.compare_eq.
   - apply Nat.compare_eq in e1. f_equal; auto.
   - apply then_eq in e2. destruct e2 as [e2 e3]. apply Nat.compare_eq in e1.
     f_equal; trivial.
-    + apply (compare_lists_eq Nat.compare); trivial. rewrite Forall_forall. intros. now apply Nat.compare_eq.
+    + apply (compare_lists_eq Nat.compare); trivial. rewrite Forall_forall. intros.
+        now apply Nat.compare_eq.
     + now apply (compare_lists_eq compare).
 Qed.
 Lemma equal_eq a b : equal a b = true -> a = b.
-Proof. unfold equal. destruct (compare a b) eqn:E; try discriminate. intros _. now apply compare_eq. Qed.
+Proof. unfold equal. destruct (compare a b) eqn:E; try discriminate. intros _.
+  now apply compare_eq. Qed.
 
 (* Does the variable x occur? *)
 Fixpoint occurs (x : positive) (e : ex) : bool :=
@@ -144,13 +150,16 @@ Definition update (rho : positive -> R) (x : positive) (t : R) (p : positive) : 
   if Pos.eqb p x then t else rho p.
 Lemma existsb_false {A} (f : A -> bool) l : existsb f l = false -> Forall (fun a => f a = false) l.
 Proof.
-  induction l as [|a l IH]; simpl; intro h; constructor; apply orb_false_elim in h; destruct h; auto.
+  induction l as [|a l IH]; simpl; intro h; constructor; apply orb_false_elim in h; destruct h;
+    auto.
 Qed.
-Lemma Forall_and2 {A} (P Q : A -> Prop) l : Forall P l -> Forall Q l -> Forall (fun a => P a /\ Q a) l.
+Lemma Forall_and2 {A} (P Q : A -> Prop) l : Forall P l -> Forall Q l ->
+  Forall (fun a => P a /\ Q a) l.
 Proof. induction 1; intro h; inversion h; subst; constructor; auto. Qed.
 Lemma map_eq {A B} (f g : A -> B) l : Forall (fun a => f a = g a) l -> map f l = map g l.
 Proof. induction 1; simpl; congruence. Qed.
-Lemma eval_update Phi rho x t e : occurs x e = false -> eval Phi (update rho x t) e = eval Phi rho e.
+Lemma eval_update Phi rho x t e : occurs x e = false -> eval Phi (update rho x t)
+  e = eval Phi rho e.
 Proof.
   induction e using ex_induction; simpl; intro h; trivial;
     try (apply orb_false_elim in h; destruct h as [h1 h2]; now rewrite IHe1, IHe2);

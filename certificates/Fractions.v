@@ -1,6 +1,7 @@
 (* Expressions as fractions: a polynomial over a product of powers of polynomials. *)
 Require Import QArith Qreals Qreduction Lia Lra micromega.EnvRing.
-Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials PatchProof.Expressions.
+Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials
+  PatchProof.Expressions.
 Require Import PatchProof.Normal.
 Local Open Scope R_scope.
 
@@ -12,7 +13,8 @@ Fixpoint extract (p : poly) (d : factors) : nat * factors :=
   | (q, k) :: d' => if same p q then (k, d') else let (m, r) := extract p d' in (m, (q, k) :: r)
   end.
 Fixpoint merge (c d : factors) : factors :=
-  match c with [] => d | (p, k) :: c' => let (m, r) := extract p d in (p, k + m)%nat :: merge c' r end.
+  match c with [] => d | (p, k) :: c' => let (m, r) := extract p d in (p,
+    k + m)%nat :: merge c' r end.
 (* The least common multiple, and what c and d have to be multiplied with. *)
 Fixpoint common (c d : factors) : factors * poly * poly :=
   match c with
@@ -23,7 +25,8 @@ Fixpoint common (c d : factors) : factors * poly * poly :=
       let n := Nat.max k m in
       ((p, n) :: l, pmul (ppow p (n - k)) x, pmul (ppow p (n - m)) y)
   end.
-Definition expand (d : factors) : poly := fold_right (fun f r => pmul (ppow (fst f) (snd f)) r) (constant 1) d.
+Definition expand (d : factors) : poly := fold_right (fun f r => pmul (ppow (fst f) (snd f)) r)
+  (constant 1) d.
 
 Definition fraction : Type := poly * factors.
 Definition combine (f : poly -> poly -> poly) (a b : fraction) : fraction :=
@@ -31,13 +34,23 @@ Definition combine (f : poly -> poly -> poly) (a b : fraction) : fraction :=
 (* The inverse of a polynomial that is a constant different from 0. *)
 Definition unit_inverse (p : poly) : option Q :=
   match p with Pc q => if Qeq_bool q 0 then None else Some (Qred (/ q)) | _ => None end.
+Fixpoint has_inverse (e : ex) : bool :=
+  match e with
+  | Plus a b | Minus a b | Times a b => has_inverse a || has_inverse b
+  | Negate a | Power a _ => has_inverse a
+  | Inverse _ => true
+  | _ => false
+  end.
 Fixpoint as_fraction (T : list ex) (e : ex) : fraction :=
+  if negb (has_inverse e) then (polynomial T e, []) else
   match e with
   | Plus a b => combine padd (as_fraction T a) (as_fraction T b)
   | Minus a b => combine psub (as_fraction T a) (as_fraction T b)
-  | Times a b => let (n, d) := as_fraction T a in let (m, c) := as_fraction T b in (pmul n m, merge d c)
+  | Times a b => let (n, d) := as_fraction T a in let (m, c) :=
+    as_fraction T b in (pmul n m, merge d c)
   | Negate a => let (n, d) := as_fraction T a in (popp n, d)
-  | Power a k => let (n, d) := as_fraction T a in (ppow n k, map (fun f => (fst f, (snd f * k)%nat)) d)
+  | Power a k => let (n, d) := as_fraction T a in (ppow n k, map (fun f => (fst f,
+    (snd f * k)%nat)) d)
   | Inverse a => let (n, d) := as_fraction T a in
       match unit_inverse n with
       | Some q => (pmul (constant q) (expand d), [])
@@ -94,10 +107,12 @@ Lemma common_value c : forall d l x y, common c d = (l, x, y) ->
   product l = product c * pvalue x /\ product l = product d * pvalue y.
 Proof.
   induction c as [|[p k] c IH]; intros d l x y h; simpl in h.
-  - injection h as <- <- <-. rewrite (expand_value d : pvalue (fold_right _ _ _) = _), constant_value. simpl.
+  - injection h as <- <- <-. rewrite (expand_value d : pvalue (fold_right _ _ _) = _),
+      constant_value. simpl.
     rewrite one_value. split; ring.
   - pose proof (extract_value p d) as e. destruct (extract p d) as [m r].
-    destruct (common c r) as [[l' x'] y'] eqn:E. injection h as <- <- <-. apply IH in E. destruct E as [E1 E2].
+    destruct (common c r) as [[l' x'] y'] eqn:E. injection h as <- <- <-. apply IH in E.
+      destruct E as [E1 E2].
     cbn [product fst snd] in *. rewrite !pmul_value, !ppow_value. split.
     + rewrite E1, (power_split _ k (Nat.max k m)) by lia. ring.
     + rewrite E2, e, (power_split _ m (Nat.max k m)) by lia. ring.
@@ -114,10 +129,12 @@ Proof.
   induction 1 as [|[q k] d h h' IH]; simpl; [constructor|]. destruct (same p q); [exact h'|].
   destruct (extract p d). now constructor.
 Qed.
-Lemma nonzero_merge c : forall d, nonzero_factors c -> nonzero_factors d -> nonzero_factors (merge c d).
+Lemma nonzero_merge c : forall d, nonzero_factors c -> nonzero_factors d ->
+  nonzero_factors (merge c d).
 Proof.
   induction c as [|[p k] c IH]; intros d hc hd; trivial. inversion hc; subst. simpl.
-  pose proof (nonzero_extract p d hd). destruct (extract p d). constructor; simpl in *; auto. now apply IH.
+  pose proof (nonzero_extract p d hd). destruct (extract p d). constructor; simpl in *; auto.
+    now apply IH.
 Qed.
 Lemma nonzero_common c : forall d l x y, common c d = (l, x, y) ->
   nonzero_factors c -> nonzero_factors d -> nonzero_factors l.
@@ -125,18 +142,21 @@ Proof.
   induction c as [|[p k] c IH]; intros d l x y h hc hd; simpl in h.
   - now injection h as <- <- <-.
   - inversion hc; subst. pose proof (nonzero_extract p d hd). destruct (extract p d) as [m r].
-    destruct (common c r) as [[l' x'] y'] eqn:E. injection h as <- <- <-. constructor; trivial. eapply IH; eauto.
+    destruct (common c r) as [[l' x'] y'] eqn:E. injection h as <- <- <-. constructor; trivial.
+      eapply IH; eauto.
 Qed.
 
 Definition stands_for (f : fraction) (x : R) : Prop :=
   x * product (snd f) = pvalue (fst f) /\ nonzero_factors (snd f).
 
 Lemma combine_value f (g : R -> R -> R) a b x y :
-  (forall p q, pvalue (f p q) = g (pvalue p) (pvalue q)) -> (forall x y z, g x y * z = g (x * z) (y * z)) ->
+  (forall p q, pvalue (f p q) = g (pvalue p) (pvalue q)) ->
+    (forall x y z, g x y * z = g (x * z) (y * z)) ->
   stands_for a x -> stands_for b y -> stands_for (combine f a b) (g x y).
 Proof.
   intros hf hg [a1 a2] [b1 b2]. unfold combine, stands_for.
-  destruct (common (snd a) (snd b)) as [[d p] q] eqn:E. pose proof (common_value _ _ _ _ _ E) as [E1 E2].
+  destruct (common (snd a) (snd b)) as [[d p] q] eqn:E. pose proof (common_value _ _ _ _ _ E)
+    as [E1 E2].
   cbn [fst snd]. rewrite hf, hg, !pmul_value, <- a1, <- b1. split.
   - f_equal; [rewrite E1|rewrite E2]; ring.
   - eapply nonzero_common; eassumption.
@@ -150,124 +170,64 @@ Proof.
 Qed.
 Lemma power_factors d k : product (map (fun f => (fst f, (snd f * k)%nat)) d) = product d ^ k.
 Proof.
-  induction d as [|[p m] d IH]; simpl; [symmetry; apply pow1|]. now rewrite IH, Rpow_mult_distr, pow_mult.
+  induction d as [|[p m] d IH]; simpl; [symmetry; apply pow1|].
+    now rewrite IH, Rpow_mult_distr, pow_mult.
 Qed.
-Lemma polynomial_fraction e : Forall (fun a => In a T) (atoms e) -> stands_for (polynomial T e, []) (eval e).
-Proof. intro h. split; simpl; [rewrite Rmult_1_r; symmetry; now apply polynomial_value|constructor]. Qed.
+Lemma polynomial_fraction e : Forall (fun a => In a T) (atoms e) ->
+  stands_for (polynomial T e, []) (eval e).
+Proof. intro h. split; simpl; [rewrite Rmult_1_r; symmetry;
+  now apply polynomial_value|constructor]. Qed.
 
 Definition nonzero_polys (l : list poly) : Prop := Forall (fun p => pvalue p <> 0) l.
 Lemma in_app {A} (l m : list A) (P : A -> Prop) : Forall P (l ++ m) -> Forall P l /\ Forall P m.
 Proof. apply Forall_app. Qed.
-Theorem as_fraction_value e : Forall (fun a => In a T) (inner_atoms e) -> nonzero_polys (divisors T e) ->
+Lemma free_atoms e : has_inverse e = false -> atoms e = inner_atoms e.
+Proof.
+  induction e; cbn [has_inverse atoms inner_atoms]; intro h; trivial; try discriminate; auto;
+    apply orb_false_elim in h; destruct h; now rewrite IHe1, IHe2.
+Qed.
+Lemma free_fraction e : negb (has_inverse e) = true -> Forall (fun a => In a T) (inner_atoms e) ->
   stands_for (as_fraction T e) (eval e).
 Proof.
-  induction e; cbn [inner_atoms divisors]; intros h nz; try (now apply polynomial_fraction);
+  intros E h. replace (as_fraction T e) with (polynomial T e, [] : factors).
+  - apply polynomial_fraction. rewrite free_atoms; trivial. now apply negb_true_iff.
+  - destruct e; cbn [as_fraction]; rewrite E; reflexivity.
+Qed.
+Theorem as_fraction_value e : Forall (fun a => In a T) (inner_atoms e) ->
+  nonzero_polys (divisors T e) ->
+  stands_for (as_fraction T e) (eval e).
+Proof.
+  induction e; intros h nz; match goal with |- stands_for (as_fraction T ?e) _ =>
+      destruct (negb (has_inverse e)) eqn:F; [now apply free_fraction|]; try discriminate;
+      cbn [as_fraction]; rewrite F; clear F end;
+    cbn [inner_atoms divisors] in h, nz;
     try (apply in_app in h; destruct h as [h1 h2]; apply in_app in nz; destruct nz as [n1 n2]).
   - apply combine_value; auto using padd_value. intros; ring.
   - apply combine_value; auto using psub_value. intros; ring.
-  - cbn [as_fraction]. specialize (IHe1 h1 n1). specialize (IHe2 h2 n2).
-    destruct (as_fraction T e1) as [p d], (as_fraction T e2) as [q c]. destruct IHe1 as [a1 a2], IHe2 as [b1 b2].
+  - specialize (IHe1 h1 n1). specialize (IHe2 h2 n2).
+    destruct (as_fraction T e1) as [p d], (as_fraction T e2) as [q c].
+      destruct IHe1 as [a1 a2], IHe2 as [b1 b2].
     cbn [fst snd] in *. split; cbn [fst snd eval].
     + rewrite pmul_value, merge_value, <- a1, <- b1. ring.
     + now apply nonzero_merge.
-  - cbn [as_fraction]. specialize (IHe h nz). destruct (as_fraction T e) as [p d]. destruct IHe as [a1 a2].
+  - specialize (IHe h nz). destruct (as_fraction T e) as [p d]. destruct IHe as [a1 a2].
     cbn [fst snd] in *. split; cbn [fst snd eval]; trivial. rewrite popp_value, <- a1. ring.
-  - cbn [as_fraction]. specialize (IHe h nz). destruct (as_fraction T e) as [p d].
+  - specialize (IHe h nz). destruct (as_fraction T e) as [p d].
     destruct IHe as [a1 a2]. cbn [fst snd] in *. split; cbn [fst snd eval].
     + now rewrite ppow_value, power_factors, <- a1, Rpow_mult_distr.
     + clear - a2. induction a2; simpl; constructor; trivial.
-  - cbn [as_fraction eval]. destruct (unit_inverse (fst (as_fraction T e))) as [q|] eqn:E.
-    + specialize (IHe h nz). destruct (as_fraction T e) as [p d]. destruct IHe as [a1 a2]. cbn [fst snd] in *.
-      rewrite E. apply unit_inverse_value in E. destruct E as [E1 E2]. split; [|constructor]. cbn [fst snd product].
-      rewrite pmul_value, constant_value, E1, <- a1, expand_value. pose proof (nonzero_product d a2).
+  - cbn [eval]. destruct (unit_inverse (fst (as_fraction T e))) as [q|] eqn:E.
+    + specialize (IHe h nz). destruct (as_fraction T e) as [p d]. destruct IHe as [a1 a2].
+        cbn [fst snd] in *.
+      rewrite E. apply unit_inverse_value in E. destruct E as [E1 E2]. split; [|constructor].
+        cbn [fst snd product].
+      rewrite pmul_value, constant_value, E1, <- a1, expand_value.
+        pose proof (nonzero_product d a2).
       field. split; trivial. intro z. apply E2. rewrite <- a1, z. ring.
-    + inversion nz as [|? ? n1 n2]; subst. specialize (IHe h n2). destruct (as_fraction T e) as [p d].
+    + inversion nz as [|? ? n1 n2]; subst. specialize (IHe h n2).
+        destruct (as_fraction T e) as [p d].
       destruct IHe as [a1 a2]. cbn [fst snd] in *. rewrite E.
       split; [|constructor; [exact n1|constructor]]. cbn [fst snd product].
       rewrite expand_value, <- a1. field. intro z. apply n1. rewrite <- a1, z. ring.
 Qed.
 End Values.
-
-(* The coefficient that comes first in a polynomial. *)
-Fixpoint lead (p : poly) : Q :=
-  match p with Pc c => c | Pinj _ q => lead q | PX q _ _ => lead q end.
-
-(* Facts "p <> 0" are pairs (m, r) with r <> 0; a polynomial p is different from 0 when m p = r, or when
-   these differ by a number only. *)
-Definition polynomial_of (T : list ex) (e : ex) : option poly :=
-  match divisors T e, as_fraction T e with [], (p, []) => Some p | _, _ => None end.
-Definition shown_nonzero (T : list ex) (K : list (ex * ex)) (p : poly) : bool :=
-  existsb (fun f => match polynomial_of T (fst f), polynomial_of T (snd f) with
-    | Some m, Some r =>
-        let q := pmul m p in
-        negb (Qeq_bool (lead q) 0) && same (pmul (constant (lead r)) q) (pmul (constant (lead q)) r)
-    | _, _ => false end) K.
-Definition clear (T : list ex) (K : list (ex * ex)) (e : ex) : bool := forallb (shown_nonzero T K) (divisors T e).
-Definition table_for (K : list (ex * ex)) (e : ex) : list ex :=
-  table (inner_atoms e ++ flat_map (fun f => inner_atoms (fst f) ++ inner_atoms (snd f)) K).
-(* Is e zero, respectively different from zero, provided the facts K? *)
-Definition vanishes (K : list (ex * ex)) (e : ex) : bool :=
-  let T := table_for K e in same (fst (as_fraction T e)) (constant 0) && clear T K e.
-Definition never_zero (K : list (ex * ex)) (e : ex) : bool :=
-  let T := table_for K e in
-  let p := fst (as_fraction T e) in
-  match unit_inverse p with Some _ => true | None => shown_nonzero T K p end && clear T K e.
-
-Section Checks.
-Variable Phi : list (list R -> R).
-Variable rho : positive -> R.
-Variable K : list (ex * ex).
-Hypothesis known : Forall (fun f => eval Phi rho (snd f) <> 0) K.
-
-Lemma own_atoms e : Forall (fun a => In a (table_for K e)) (inner_atoms e).
-Proof.
-  rewrite Forall_forall. intros a h. apply in_table, in_or_app. now left.
-Qed.
-Lemma known_atoms e f : In f K -> Forall (fun a => In a (table_for K e)) (inner_atoms (fst f) ++ inner_atoms (snd f)).
-Proof.
-  intro i. rewrite Forall_forall. intros a h. apply in_table, in_or_app. right. apply in_flat_map. now exists f.
-Qed.
-Lemma polynomial_of_value T e p : Forall (fun a => In a T) (inner_atoms e) -> polynomial_of T e = Some p ->
-  pvalue (places Phi rho T) p = eval Phi rho e.
-Proof.
-  unfold polynomial_of. intros h E. destruct (divisors T e) eqn:D; try discriminate.
-  destruct (as_fraction_value Phi rho T e h) as [v _]; [rewrite D; constructor|].
-  destruct (as_fraction T e) as [q [|? ?]]; try discriminate. injection E as <-. simpl in v. lra.
-Qed.
-Lemma shown_nonzero_value e p : shown_nonzero (table_for K e) K p = true ->
-  pvalue (places Phi rho (table_for K e)) p <> 0.
-Proof.
-  unfold shown_nonzero. intro h. apply existsb_exists in h. destruct h as [f [i h]].
-  pose proof (known_atoms e f i) as A. apply Forall_app in A. destruct A as [A1 A2].
-  destruct (polynomial_of (table_for K e) (fst f)) as [m|] eqn:M; try discriminate.
-  destruct (polynomial_of (table_for K e) (snd f)) as [r|] eqn:E; try discriminate.
-  cbv zeta in h. set (q := pmul m p) in h. apply andb_prop in h. destruct h as [n h].
-  apply (same_value (places Phi rho (table_for K e))) in h.
-  rewrite !pmul_value, !constant_value, (polynomial_of_value _ _ _ A2 E) in h.
-  unfold q in h at 1. rewrite pmul_value in h.
-  rewrite Forall_forall in known. specialize (known f i). intro z. rewrite z, !Rmult_0_r in h.
-  symmetry in h. apply Rmult_integral in h. destruct h as [h|h]; [|now apply known].
-  apply negb_true_iff in n. apply Qeq_bool_neq in n. apply n. apply eqR_Qeq. now rewrite h, zero_value.
-Qed.
-Lemma clear_value e : clear (table_for K e) K e = true ->
-  nonzero_polys Phi rho (table_for K e) (divisors (table_for K e) e).
-Proof.
-  unfold clear. rewrite forallb_forall. intro h. unfold nonzero_polys. rewrite Forall_forall. intros p i.
-  now apply shown_nonzero_value, h.
-Qed.
-Theorem vanishes_correct e : vanishes K e = true -> eval Phi rho e = 0.
-Proof.
-  unfold vanishes. intro h. apply andb_prop in h. destruct h as [h1 h2]. apply clear_value in h2.
-  destruct (as_fraction_value Phi rho _ e (own_atoms e) h2) as [v n].
-  apply (same_value (places Phi rho (table_for K e))) in h1. rewrite h1, constant_value, zero_value in v.
-  apply nonzero_product in n. now apply Rmult_integral in v as [v|v].
-Qed.
-Theorem never_zero_correct e : never_zero K e = true -> eval Phi rho e <> 0.
-Proof.
-  unfold never_zero. intro h. apply andb_prop in h. destruct h as [h1 h2]. apply clear_value in h2.
-  destruct (as_fraction_value Phi rho _ e (own_atoms e) h2) as [v n]. intro z. rewrite z, Rmult_0_l in v.
-  destruct (unit_inverse _) as [q|] eqn:E.
-  - apply (unit_inverse_value Phi rho (table_for K e)) in E. destruct E as [_ E]. apply E. now symmetry.
-  - apply shown_nonzero_value in h1. apply h1. now symmetry.
-Qed.
-End Checks.

@@ -1,6 +1,7 @@
 (* Normal forms of expressions: equal polynomials in equal atoms become the same expression. *)
 Require Import QArith Qreals Qreduction Lia micromega.EnvRing.
-Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials PatchProof.Expressions.
+Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials
+  PatchProof.Expressions.
 Local Open Scope R_scope.
 
 (* The atoms of the polynomial e, in order and each once. *)
@@ -34,10 +35,12 @@ Fixpoint atom_at (T : list ex) (p q : positive) : ex :=
 Definition first : positive := 1024.
 
 Lemma place_ge a T : forall p, (p <= place a T p)%positive.
-Proof. induction T as [|b T IH]; intro p; simpl; [lia|]. destruct (equal a b); [lia|]. specialize (IH (Pos.succ p)). lia. Qed.
+Proof. induction T as [|b T IH]; intro p; simpl; [lia|]. destruct (equal a b); [lia|].
+  specialize (IH (Pos.succ p)). lia. Qed.
 Lemma equal_refl a : equal a a = true.
 Proof.
-  assert (L : forall {A} (f : A -> A -> comparison) l, Forall (fun a => f a a = Eq) l -> compare_lists f l l = Eq).
+  assert (L : forall {A} (f : A -> A -> comparison) l, Forall (fun a => f a a = Eq) l ->
+    compare_lists f l l = Eq).
   { intros A f l h. induction h as [|x l e _ IH]; simpl; [trivial|]. now rewrite e. }
   assert (H : compare a a = Eq); [|unfold equal; now rewrite H].
   induction a using ex_induction; simpl; trivial;
@@ -63,6 +66,8 @@ Fixpoint polynomial (T : list ex) (e : ex) : poly :=
   | At p => indeterminate (xO p)
   | Plus a b => padd (polynomial T a) (polynomial T b)
   | Minus a b => psub (polynomial T a) (polynomial T b)
+  | Times a (At p) => shift 1 (polynomial T a) (xO p)
+  | Times a (Power (At p) (S n)) => shift (Pos.of_succ_nat n) (polynomial T a) (xO p)
   | Times a b => pmul (polynomial T a) (polynomial T b)
   | Negate a => popp (polynomial T a)
   | Power a n => ppow (polynomial T a) n
@@ -73,13 +78,15 @@ Definition variable (T : list ex) (j : positive) : ex :=
 
 Definition plus (a b : ex) : ex := match b with Num (0 # _) => a | _ => Plus a b end.
 Definition times (a b : ex) : ex := match a with Num (1 # 1) => b | _ => Times a b end.
-Definition power (a : ex) (n : positive) : ex := match n with xH => a | _ => Power a (Pos.to_nat n) end.
+Definition power (a : ex) (n : positive) : ex := match n with xH => a | _ => Power a (Pos.to_nat n)
+  end.
 (* The expression of a polynomial whose variables are counted from place j. *)
 Fixpoint expression (T : list ex) (j : positive) (p : poly) : ex :=
   match p with
   | Pc c => Num c
   | Pinj k p => expression T (j + k) p
-  | PX p i q => plus (times (expression T j p) (power (variable T j) i)) (expression T (Pos.succ j) q)
+  | PX p i q => plus (times (expression T j p) (power (variable T j) i))
+    (expression T (Pos.succ j) q)
   end.
 
 Section Values.
@@ -91,16 +98,28 @@ Definition places (T : list ex) (j : positive) : R := eval (variable T j).
 
 Lemma zero_value : Q2R 0 = 0. Proof. apply RMicromega.Q2R_0. Qed.
 Lemma one_value : Q2R 1 = 1. Proof. apply RMicromega.Q2R_1. Qed.
-Lemma polynomial_value T e : Forall (fun a => In a T) (atoms e) -> pvalue (places T) (polynomial T e) = eval e.
+Lemma polynomial_value T e : Forall (fun a => In a T) (atoms e) ->
+  pvalue (places T) (polynomial T e) = eval e.
 Proof.
   assert (A : forall a, Forall (fun a => In a T) [a] ->
     pvalue (places T) (indeterminate (xI (place a T first))) = eval a).
   { intros a h. inversion h; subst. rewrite indeterminate_value. unfold places. cbn [variable].
     now rewrite atom_place. }
-  induction e; cbn [atoms polynomial]; intro h; try (now apply A);
+  assert (M : forall a b, polynomial T (Times a b) = pmul (polynomial T a) (polynomial T b) \/
+    (exists p n, polynomial T (Times a b) = shift (Pos.of_succ_nat n) (polynomial T a) (xO p) /\
+      eval b = rho p ^ S n)).
+  { intros a b. destruct b as [|p| | | | |[|p| | | | | | | |] [|n]| | |]; try (now left); right.
+    - exists p, 0%nat. split; trivial. simpl. ring.
+    - now exists p, n. }
+  induction e; cbn [atoms]; intro h; try (now apply A);
+    try (destruct (M e1 e2) as [->|[p [n [-> E]]]];
+      [|apply Forall_app in h; destruct h as [h1 h2]; rewrite shift_value, IHe1,
+        SuccNat2Pos.id_succ by trivial;
+        cbn [Expressions.eval]; now rewrite E]); cbn [polynomial];
     try (apply Forall_app in h; destruct h as [h1 h2]);
     rewrite ?padd_value, ?psub_value, ?pmul_value, ?popp_value, ?ppow_value, ?indeterminate_value;
-    simpl; try rewrite IHe1 by trivial; try rewrite IHe2 by trivial; try rewrite IHe by trivial; reflexivity.
+    simpl; try rewrite IHe1 by trivial; try rewrite IHe2 by trivial; try rewrite IHe by trivial;
+      reflexivity.
 Qed.
 Lemma plus_value a b : eval (plus a b) = eval a + eval b.
 Proof.
@@ -118,8 +137,10 @@ Proof.
   induction p as [c|k p IH|p IHp i q IHq]; intros j l h; simpl expression.
   - reflexivity.
   - apply IH. intro x. unfold Env.jump. rewrite h. f_equal. lia.
-  - rewrite plus_value, times_value, power_value, pvalue_PX, (IHp j l h), (IHq (Pos.succ j) (Env.tail l)).
-    + f_equal. f_equal. unfold Env.hd, Env.nth. rewrite h. replace (Pos.pred (1 + j)) with j by lia. reflexivity.
+  - rewrite plus_value, times_value, power_value, pvalue_PX, (IHp j l h),
+      (IHq (Pos.succ j) (Env.tail l)).
+    + f_equal. f_equal. unfold Env.hd, Env.nth. rewrite h.
+        replace (Pos.pred (1 + j)) with j by lia. reflexivity.
     + intro x. unfold Env.tail, Env.jump. rewrite h. f_equal. lia.
 Qed.
 End Values.
@@ -162,7 +183,8 @@ Qed.
 Lemma with_normal_atoms_value e : eval (with_normal_atoms e) = eval e.
 Proof.
   induction e using ex_induction; simpl; try congruence.
-  - f_equal. rewrite map_map. apply map_eq. revert H. apply Forall_impl. intros a h. now rewrite collected_value.
+  - f_equal. rewrite map_map. apply map_eq. revert H. apply Forall_impl. intros a h.
+      now rewrite collected_value.
   - now rewrite inverse_value, collected_value, IHe.
   - now rewrite collected_value, IHe.
 Qed.

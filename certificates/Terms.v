@@ -1,4 +1,5 @@
-(* Deep terms: the twin of a statement.  The denotation computes, so that a concrete twin is convertible
+(* Deep terms: the twin of a statement.  The denotation computes,
+  so that a concrete twin is convertible
    with the statement it stands for; the kernel compares the two, no tactic has to be trusted. *)
 Require Import PatchProof.Definitions.
 Local Open Scope R_scope.
@@ -13,6 +14,7 @@ Inductive term : Type :=
   | Div (a b : term)
   | Pow (a : term) (n : nat)
   | Bernstein (n i : nat) (a : term)
+  | BSpline (knots : list Q) (p i span : nat) (a : term)
   | App (f : fn) (arguments : list term)
   | Integral (lower upper body : term)       (* the body binds Var 0 *)
   | Sqrt (a : term)
@@ -47,8 +49,10 @@ Fixpoint denote (Phi : list (list R -> R)) (sigma : list R) (t : term) {struct t
   | Div a b => denote Phi sigma a / denote Phi sigma b
   | Pow a n => denote Phi sigma a ^ n
   | Bernstein n i a => Bern n i (denote Phi sigma a)
+  | BSpline knots p i span a => Nspline knots p i span (denote Phi sigma a)
   | App f arguments => denoteF Phi sigma f (map (denote Phi sigma) arguments)
-  | Integral a b e => RInt (fun t => denote Phi (t :: sigma) e) (denote Phi sigma a) (denote Phi sigma b)
+  | Integral a b e => RInt (fun t => denote Phi (t :: sigma) e) (denote Phi sigma a)
+    (denote Phi sigma b)
   | Sqrt a => sqrt (denote Phi sigma a)
   end
 with denoteF (Phi : list (list R -> R)) (sigma : list R) (f : fn) {struct f} : list R -> R :=
@@ -71,6 +75,7 @@ Hypothesis opp : forall a, P a -> P (Opp a).
 Hypothesis div : forall a b, P a -> P b -> P (Div a b).
 Hypothesis power : forall a n, P a -> P (Pow a n).
 Hypothesis bernstein : forall n i a, P a -> P (Bernstein n i a).
+Hypothesis bspline : forall l p i s a, P a -> P (BSpline l p i s a).
 Hypothesis app : forall f l, Q f -> Forall P l -> P (App f l).
 Hypothesis integral : forall a b e, P a -> P b -> P e -> P (Integral a b e).
 Hypothesis root : forall a, P a -> P (Sqrt a).
@@ -89,6 +94,7 @@ Fixpoint term_induction (t : term) : P t :=
   | Div a b => div a b (term_induction a) (term_induction b)
   | Pow a n => power a n (term_induction a)
   | Bernstein n i a => bernstein n i a (term_induction a)
+  | BSpline l p i s a => bspline l p i s a (term_induction a)
   | App f l => app f l (fn_induction f)
       ((fix go l : Forall P l := match l with
         | [] => Forall_nil P

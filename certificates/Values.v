@@ -1,39 +1,13 @@
 (* The value of a term as an expression: functions applied, derivatives and integrals worked out. *)
 Require Import QArith Qreals Lia Lra micromega.EnvRing.
-From Coquelicot Require Import RInt_analysis.
-Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials PatchProof.Expressions.
-Require Import PatchProof.Normal PatchProof.Jets PatchProof.Derivatives.
+Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials
+  PatchProof.Expressions.
+Require Import PatchProof.Normal PatchProof.Jets PatchProof.Derivatives PatchProof.Bases
+  PatchProof.Integrals.
 Local Open Scope R_scope.
 
-(* Rows of Pascal's triangle; the recursion of binom itself takes exponential time. *)
-Fixpoint next_row (p : Z) (l : list Z) : list Z :=
-  match l with [] => [p] | x :: l' => (p + x)%Z :: next_row x l' end.
-Fixpoint row (n : nat) : list Z := match n with O => [1%Z] | S n' => next_row 0 (row n') end.
-Definition bernstein (n i : nat) (t : ex) : ex :=
-  Times (Times (Num (inject_Z (nth i (row n) 0%Z))) (Power t i)) (Power (Minus (Num 1) t) (n - i)).
-
-(* An antiderivative in x of t^s times the polynomial p, whose variables are counted from place j. *)
-Fixpoint antiderivative (T : list ex) (x : positive) (s : nat) (j : positive) (p : poly) : ex :=
-  match p with
-  | Pc c => Times (Num (qmul c (1 # Pos.of_succ_nat s))) (Power (At x) (S s))
-  | Pinj k p => antiderivative T x s (j + k) p
-  | PX p i q =>
-      Plus (if Pos.eqb j (xO x) then antiderivative T x (s + Pos.to_nat i) j p
-            else Times (antiderivative T x s j p) (power (variable T j) i))
-           (antiderivative T x s (Pos.succ j) q)
-  end.
-Definition primitive (x : positive) (e : ex) : ex :=
-  let T := table (atoms e) in normal (antiderivative T x 0 1 (polynomial T e)).
-Definition is_zero (e : ex) : bool := match normal e with Num q => Qeq_bool q 0 | _ => false end.
-Definition empty {A} (l : list A) : bool := match l with [] => true | _ => false end.
-(* The integral from a to b of e with respect to x; only for e that is a polynomial in x. *)
-Definition integral (S : list (nat * nat)) (x : positive) (a b e : ex) : option ex :=
-  let F := primitive x e in
-  if differentiable S x F && empty (denominators x F) && differentiable S x e && empty (denominators x e)
-     && is_zero (Minus (derivative x F) e)
-  then Some (normal (Minus (substitute x b F) (substitute x a F))) else None.
-
-(* The inverse; a product is inverted factor by factor, for the factors may be known to be different from 0. *)
+(* The inverse; a product is inverted factor by factor, for the factors may be known to be
+  different from 0. *)
 Fixpoint inverted (e : ex) : ex :=
   match e with
   | Times a b => Times (inverted a) (inverted b)
@@ -76,6 +50,7 @@ Fixpoint value (next : positive) (env : list ex) (t : term) {struct t} : result 
   | Div a b => lift2 (fun x y => Times x (inverted y)) (value next env a) (value next env b)
   | Pow a n => lift (fun x => Power x n) (value next env a)
   | Bernstein n i a => lift (bernstein n i) (value next env a)
+  | BSpline l p i s a => lift (spline l p i s) (value next env a)
   | App f l =>
       match (fix values l := match l with
         | [] => Some ([], [])
@@ -120,37 +95,7 @@ Definition values (next : positive) (env : list ex) : list term -> option (list 
 Variable Phi : list (list R -> R).
 Hypothesis smooth_functions : smooth_all smoothness Phi.
 
-Definition nonzero (rho : positive -> R) (c : list ex) : Prop := Forall (fun d => eval Phi rho d <> 0) c.
-
-Lemma next_row_nth l : forall p k, nth k (next_row p l) 0%Z
-  = ((match k with O => p | S k' => nth k' l 0%Z end) + nth k l 0%Z)%Z.
-Proof.
-  induction l as [|x l IH]; intros p [|k]; cbn [next_row nth].
-  - lia.
-  - destruct k; reflexivity.
-  - reflexivity.
-  - rewrite IH. destruct k; reflexivity.
-Qed.
-Lemma row_nth n : forall k, nth k (row n) 0%Z = binom n k.
-Proof.
-  induction n as [|n IH]; intros k.
-  - destruct k as [|[|k]]; reflexivity.
-  - simpl row. rewrite next_row_nth. destruct k as [|k]; rewrite !IH; [destruct n; reflexivity|reflexivity].
-Qed.
-Lemma integer_value rho z : eval Phi rho (Num (inject_Z z)) = IZR z.
-Proof. simpl. unfold Q2R, inject_Z; simpl. field. Qed.
-Lemma bernstein_value rho n i t : eval Phi rho (bernstein n i t) = Bern n i (eval Phi rho t).
-Proof.
-  unfold bernstein, Bern. rewrite row_nth. cbn [eval]. rewrite <- (integer_value rho (binom n i)). cbn [eval].
-  now rewrite one_value.
-Qed.
-Lemma is_zero_value rho e : is_zero e = true -> eval Phi rho e = 0.
-Proof.
-  unfold is_zero. rewrite <- (normal_value Phi rho e). destruct (normal e); try discriminate.
-  intro h. apply Qeq_bool_eq in h. simpl. rewrite (Qeq_eqR _ _ h). apply zero_value.
-Qed.
-Lemma update_self rho x t : update rho x t x = t.
-Proof. unfold update. now rewrite Pos.eqb_refl. Qed.
+Notation nonzero := (nonzero Phi).
 
 Lemma inverted_value rho e : eval Phi rho (inverted e) = / eval Phi rho e.
 Proof.
@@ -161,36 +106,14 @@ Proof.
   - now rewrite Rinv_inv.
 Qed.
 
-(* Differentiable expressions are continuous. *)
-Lemma expression_continuous rho x e t : differentiable smoothness x e = true ->
-  nonzero (update rho x t) (denominators x e) -> continuous (fun t => eval Phi (update rho x t) e) t.
-Proof.
-  intros h n. apply @ex_derive_continuous. eexists. now apply (derivative_value Phi smoothness).
-Qed.
-
-Lemma integral_value rho x a b e r : integral smoothness x a b e = Some r ->
-  RInt (fun t => eval Phi (update rho x t) e) (eval Phi rho a) (eval Phi rho b) = eval Phi rho r.
-Proof.
-  unfold integral. set (F := primitive x e).
-  destruct (differentiable smoothness x F) eqn:E1; try discriminate.
-  destruct (denominators x F) eqn:E2; try discriminate.
-  destruct (differentiable smoothness x e) eqn:E3; try discriminate.
-  destruct (denominators x e) eqn:E4; try discriminate.
-  destruct (is_zero (Minus (derivative x F) e)) eqn:E5; try discriminate. simpl. intros [= <-].
-  rewrite normal_value. cbn [eval]. rewrite !eval_substitute.
-  apply is_RInt_unique.
-  apply (is_RInt_derive (fun t => eval Phi (update rho x t) F)).
-  - intros t _. eapply is_derive_equal; [apply (derivative_value Phi smoothness); trivial; rewrite E2; constructor|].
-    pose proof (is_zero_value (update rho x t) _ E5) as z. cbn [eval] in z. lra.
-  - intros t _. apply expression_continuous; trivial. rewrite E4. constructor.
-Qed.
-
 Lemma nonzero_app rho c d : nonzero rho (c ++ d) -> nonzero rho c /\ nonzero rho d.
 Proof. apply Forall_app. Qed.
 
-Lemma fresh_map rho x t l : fresh x l = true -> map (eval Phi (update rho x t)) l = map (eval Phi rho) l.
+Lemma fresh_map rho x t l : fresh x l = true -> map (eval Phi (update rho x t))
+  l = map (eval Phi rho) l.
 Proof.
-  unfold fresh. intro h. apply negb_true_iff, existsb_false in h. apply map_eq. revert h. apply Forall_impl.
+  unfold fresh. intro h. apply negb_true_iff, existsb_false in h. apply map_eq. revert h.
+    apply Forall_impl.
   intros a h. now apply eval_update.
 Qed.
 Lemma map_set {A B} (f : A -> B) a l : forall k, map f (set k a l) = set k (f a) (map f l).
@@ -206,24 +129,31 @@ Lemma nonzero_near rho x t c : forallb (differentiable smoothness x) c = true ->
 Proof.
   intros h n z. induction c as [|d c IH].
   - apply filter_forall. intro. constructor.
-  - simpl in h, n. apply andb_prop in h. destruct h as [h1 h2]. apply nonzero_app in n. destruct n as [n1 n2].
+  - simpl in h, n. apply andb_prop in h. destruct h as [h1 h2]. apply nonzero_app in n.
+      destruct n as [n1 n2].
     inversion z as [|? ? z1 z2]; subst.
     assert (L : locally t (fun s => eval Phi (update rho x s) d <> 0)).
-    { apply (expression_continuous rho x d t h1 n1 (fun y => y <> 0)). apply open_neq. exact z1. }
-    generalize (filter_and _ _ L (IH h2 n2 z2)). apply filter_imp. intros s [l1 l2]. now constructor.
+    { apply (expression_continuous smoothness Phi smooth_functions rho x d t h1 n1 (fun y => y <>
+      0)). apply open_neq. exact z1. }
+    generalize (filter_and _ _ L (IH h2 n2 z2)). apply filter_imp. intros s [l1 l2].
+      now constructor.
 Qed.
 
 Lemma slope_value rho x a v e c (f : R -> R) :
   slope x a v = Some (e, c) -> nonzero rho c ->
-  (forall y d, v = Some (y, d) -> forall t, nonzero (update rho x t) d -> f t = eval Phi (update rho x t) y) ->
+  (forall y d, v = Some (y, d) -> forall t, nonzero (update rho x t) d ->
+    f t = eval Phi (update rho x t) y) ->
   Derive f (eval Phi rho a) = eval Phi rho e.
 Proof.
   unfold slope. destruct v as [[y d]|]; try discriminate.
-  destruct (differentiable smoothness x (normal y) && forallb (differentiable smoothness x) d) eqn:E; try discriminate.
+  destruct (differentiable smoothness x (normal y) && forallb (differentiable smoothness x) d)
+    eqn:E; try discriminate.
   intros [= <- <-] n h. apply andb_prop in E. destruct E as [E1 E2].
   set (t := eval Phi rho a).
-  assert (n' : nonzero (update rho x t) (d ++ denominators x (normal y) ++ flat_map (denominators x) d)).
-  { revert n. generalize (d ++ denominators x (normal y) ++ flat_map (denominators x) d). intros l n.
+  assert (n' : nonzero (update rho x t) (d ++ denominators x (normal y)
+    ++ flat_map (denominators x) d)).
+  { revert n. generalize (d ++ denominators x (normal y) ++ flat_map (denominators x) d).
+    intros l n.
     unfold nonzero in *. rewrite Forall_map in n. revert n. apply Forall_impl. intros b z.
     now rewrite normal_value, eval_substitute in z. }
   apply nonzero_app in n'. destruct n' as [n1 n']. apply nonzero_app in n'. destruct n' as [n2 n3].
@@ -234,16 +164,19 @@ Proof.
   - now apply (derivative_value Phi smoothness).
 Qed.
 
-Theorem value_correct t : forall next env rho e c, value next env t = Some (e, c) -> nonzero rho c ->
+Theorem value_correct t : forall next env rho e c, value next env t = Some (e, c) ->
+  nonzero rho c ->
   denote Phi (map (eval Phi rho) env) t = eval Phi rho e.
 Proof.
   revert t. apply (term_induction
     (fun t => forall next env rho e c, value next env t = Some (e, c) -> nonzero rho c ->
       denote Phi (map (eval Phi rho) env) t = eval Phi rho e)
-    (fun f => forall next env l rho e c, function_value next env f l = Some (e, c) -> nonzero rho c ->
+    (fun f => forall next env l rho e c, function_value next env f l = Some (e, c) ->
+      nonzero rho c ->
       denoteF Phi (map (eval Phi rho) env) f (map (eval Phi rho) l) = eval Phi rho e)).
   - intros z next env rho e c [= <- <-] _. now rewrite integer_value.
-  - intros k next env rho e c h _. simpl in h. destruct (nth_error env k) eqn:E; try discriminate. injection h as <- <-.
+  - intros k next env rho e c h _. simpl in h. destruct (nth_error env k) eqn:E; try discriminate.
+      injection h as <- <-.
     simpl. apply nth_error_nth. now apply map_nth_error.
   - intros a b ha hb next env rho e c h n. simpl in h.
     destruct (value next env a) as [[x d]|] eqn:E; try discriminate.
@@ -263,34 +196,44 @@ Proof.
   - intros a b ha hb next env rho e c h n. simpl in h.
     destruct (value next env a) as [[x d]|] eqn:E; try discriminate.
     destruct (value next env b) as [[y d']|] eqn:E'; try discriminate. injection h as <- <-.
-    apply nonzero_app in n. destruct n. simpl. rewrite inverted_value. erewrite ha, hb by eassumption. reflexivity.
+    apply nonzero_app in n. destruct n. simpl. rewrite inverted_value.
+      erewrite ha, hb by eassumption. reflexivity.
   - intros a m ha next env rho e c h n. simpl in h.
     destruct (value next env a) as [[x d]|] eqn:E; try discriminate. injection h as <- <-.
     simpl. erewrite ha by eassumption. reflexivity.
   - intros m i a ha next env rho e c h n. simpl in h.
     destruct (value next env a) as [[x d]|] eqn:E; try discriminate. injection h as <- <-.
     rewrite bernstein_value. simpl. erewrite ha by eassumption. reflexivity.
+  - intros l p i s a ha next env rho e c h n. simpl in h.
+    destruct (value next env a) as [[x d]|] eqn:E; try discriminate. injection h as <- <-.
+    rewrite spline_value. simpl. erewrite ha by eassumption. reflexivity.
   - intros f l hf hl next env rho e c h n. 
     change (match values next env l with
-      | Some (xs, c) => match function_value next env f xs with Some (y, d) => Some (y, c ++ d) | None => None end
+      | Some (xs, c) => match function_value next env f xs with Some (y, d) => Some (y,
+        c ++ d) | None => None end
       | None => None end = Some (e, c)) in h.
     destruct (values next env l) as [[xs d]|] eqn:E; try discriminate.
-    destruct (function_value next env f xs) as [[y d']|] eqn:E'; try discriminate. injection h as <- <-.
+    destruct (function_value next env f xs) as [[y d']|] eqn:E'; try discriminate.
+      injection h as <- <-.
     apply nonzero_app in n. destruct n as [n1 n2]. cbn [denote].
-    replace (map (denote Phi (map (eval Phi rho) env)) l) with (map (eval Phi rho) xs); [eapply hf; eassumption|].
+    replace (map (denote Phi (map (eval Phi rho) env)) l) with (map (eval Phi rho) xs);
+      [eapply hf; eassumption|].
     clear - hl E n1. revert xs d E n1. induction hl as [|a l ha _ IH]; intros xs d E n; simpl in E.
     + injection E as <- <-. reflexivity.
     + destruct (value next env a) as [[x c]|] eqn:E1; try discriminate.
       destruct (values next env l) as [[ys c']|] eqn:E2; try discriminate. injection E as <- <-.
-      apply nonzero_app in n. destruct n. simpl. rewrite normal_value. f_equal; [|eapply IH; trivial].
+      apply nonzero_app in n. destruct n. simpl. rewrite normal_value.
+        f_equal; [|eapply IH; trivial].
       symmetry. eapply ha; eassumption.
   - intros a b b' ha hb he next env rho e c h n. cbn [value] in h.
     destruct (value next env a) as [[x d]|] eqn:E; try discriminate.
     destruct (value next env b) as [[y d']|] eqn:E'; try discriminate.
     destruct (value (Pos.succ next) (At next :: env) b') as [[z [|? ?]]|] eqn:E2; try discriminate.
     destruct (fresh next env) eqn:F; try discriminate.
-    destruct (integral smoothness next x y (normal z)) as [r|] eqn:I; try discriminate. injection h as <- <-.
-    apply nonzero_app in n. destruct n. rewrite <- (integral_value _ _ _ _ _ _ I). cbn [denote].
+    destruct (integral smoothness next x y (normal z)) as [r|] eqn:I; try discriminate.
+      injection h as <- <-.
+    apply nonzero_app in n. destruct n. rewrite <- (integral_value smoothness Phi smooth_functions
+      _ _ _ _ _ _ I). cbn [denote].
     erewrite ha, hb by eassumption. apply RInt_ext. intros t _. rewrite normal_value.
     rewrite <- (he _ _ (update rho next t) _ _ E2) by constructor.
     cbn [map eval]. now rewrite update_self, fresh_map.
@@ -300,13 +243,15 @@ Proof.
   - intros m b hb next env l rho e c h n. simpl in *. rewrite <- map_app. eapply hb; eassumption.
   - intros k g hg next env l rho e c h n. cbn [function_value] in h.
     destruct (nth_error l k) as [a|] eqn:E; try discriminate.
-    destruct (fresh next env && fresh next l) eqn:F; try discriminate. apply andb_prop in F. destruct F as [F1 F2].
+    destruct (fresh next env && fresh next l) eqn:F; try discriminate. apply andb_prop in F.
+      destruct F as [F1 F2].
     cbn [denoteF]. replace (nth k (map (eval Phi rho) l) 0) with (eval Phi rho a).
     2:{ symmetry. apply nth_error_nth. now apply map_nth_error. }
     eapply slope_value; [exact h|exact n|]. intros y d V t z.
     rewrite <- (hg _ _ _ (update rho next t) _ _ V z). now rewrite fresh_set, fresh_map.
   - intros j next env l rho e c [= <- <-] _. simpl.
-    assert (Z : forall (m : list ex) k f, jet k (map (fun _ => 0%nat) m) f = f) by (induction m; simpl; auto).
+    assert (Z : forall (m : list ex) k f, jet k (map (fun _ => 0%nat) m) f = f) by (induction m;
+      simpl; auto).
     now rewrite Z.
 Qed.
 End Value.

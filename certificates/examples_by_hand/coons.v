@@ -11,7 +11,8 @@ Definition claim_boundary : Prop := forall C1 C2 D1 D2 : R -> R,
 Definition claim_fourth_derivative : Prop := forall C1 C2 D1 D2 : R -> R,
   smooth 2 C1 -> smooth 2 C2 -> smooth 2 D1 -> smooth 2 D2 ->
   forall u v, D_u (D_u (D_v (D_v (coons C1 C2 D1 D2)))) u v = 0.
-Definition claim_without_closure : Prop := forall C1 C2 D1 D2 : R -> R, forall u, coons C1 C2 D1 D2 u 0 = C1 u.
+Definition claim_without_closure : Prop := forall C1 C2 D1 D2 : R ->
+  R, forall u, coons C1 C2 D1 D2 u 0 = C1 u.
 
 (* The twin, for any four functions. *)
 Definition patch (C1 C2 D1 D2 : fn) : fn :=
@@ -26,7 +27,8 @@ Definition patch (C1 C2 D1 D2 : fn) : fn :=
 Definition P : fn := patch (Unknown 0) (Unknown 1) (Unknown 2) (Unknown 3).
 Definition curve (j : nat) (t : term) := App (Unknown j) [t].
 Definition functions (C1 C2 D1 D2 : R -> R) : list (list R -> R) :=
-  [fun l => C1 (nth 0 l 0); fun l => C2 (nth 0 l 0); fun l => D1 (nth 0 l 0); fun l => D2 (nth 0 l 0)].
+  [fun l => C1 (nth 0 l 0); fun l => C2 (nth 0 l 0); fun l => D1 (nth 0 l 0);
+    fun l => D2 (nth 0 l 0)].
 Definition closed : list (term * term) :=
   [(curve 0 (Int 0), curve 2 (Int 0)); (curve 0 (Int 1), curve 3 (Int 0));
    (curve 1 (Int 0), curve 2 (Int 1)); (curve 1 (Int 1), curve 3 (Int 1))].
@@ -36,13 +38,15 @@ Proof.
   intros C1 C2 D1 D2 h1 h2 h3 h4 u.
   refine (equation (functions C1 C2 D1 D2) [u] [] 1 closed [] []
     [Sub (Var 0) (Int 1); Opp (Var 0); Int 0; Int 0]
-    (App P [Var 0; Int 0]) (curve 0 (Var 0)) I eq_refl (conj h1 (conj h2 (conj h3 (conj h4 I)))) I _).
+    (App P [Var 0; Int 0]) (curve 0 (Var 0)) I eq_refl (conj h1 (conj h2 (conj h3 (conj h4 I))))
+      I _).
   vm_cast_no_check (eq_refl true).
 Qed.
 Theorem fourth_derivative : claim_fourth_derivative.
 Proof.
   intros C1 C2 D1 D2 s1 s2 s3 s4 u v.
-  refine (equation (functions C1 C2 D1 D2) [u; v] [Smooth 1 2; Smooth 1 2; Smooth 1 2; Smooth 1 2] 2 [] [] [] []
+  refine (equation (functions C1 C2 D1 D2) [u; v] [Smooth 1 2; Smooth 1 2; Smooth 1 2;
+    Smooth 1 2] 2 [] [] [] []
     (App (Deriv 0 (Deriv 0 (Deriv 1 (Deriv 1 P)))) [Var 0; Var 1]) (Int 0)
     (conj s1 (conj s2 (conj s3 (conj s4 I)))) eq_refl I I _).
   vm_cast_no_check (eq_refl true).
@@ -51,7 +55,9 @@ Qed.
 Theorem without_closure : ~ claim_without_closure.
 Proof.
   intro h. refine (different [] [] [] 0 I eq_refl
-    (App (patch (Lam 1 (Int 1)) (Lam 1 (Int 0)) (Lam 1 (Int 0)) (Lam 1 (Int 0))) [Div (Int 1) (Int 2); Int 0])
-    (App (Lam 1 (Int 1)) [Div (Int 1) (Int 2)]) _ (h (fun _ => 1) (fun _ => 0) (fun _ => 0) (fun _ => 0) (1 / 2))).
+    (App (patch (Lam 1 (Int 1)) (Lam 1 (Int 0)) (Lam 1 (Int 0)) (Lam 1 (Int 0))) [Div (Int 1)
+      (Int 2); Int 0])
+    (App (Lam 1 (Int 1)) [Div (Int 1) (Int 2)]) _ (h (fun _ => 1) (fun _ => 0) (fun _ => 0)
+      (fun _ => 0) (1 / 2))).
   vm_cast_no_check (eq_refl true).
 Qed.

@@ -12,9 +12,11 @@ Proof.
     (Add (Add (Add (Mul (Var 1) (Bernstein 3 0 (Var 0))) (Mul (Var 2) (Bernstein 3 1 (Var 0))))
               (Mul (Var 3) (Bernstein 3 2 (Var 0)))) (Mul (Var 4) (Bernstein 3 3 (Var 0))))
     (Add (Add (Add (Add (Mul (Var 1) (Bernstein 4 0 (Var 0)))
-      (Mul (Add (Mul (Div (Int 1) (Int 4)) (Var 1)) (Mul (Div (Int 3) (Int 4)) (Var 2))) (Bernstein 4 1 (Var 0))))
+      (Mul (Add (Mul (Div (Int 1) (Int 4)) (Var 1)) (Mul (Div (Int 3) (Int 4)) (Var 2)))
+        (Bernstein 4 1 (Var 0))))
       (Mul (Div (Add (Var 2) (Var 3)) (Int 2)) (Bernstein 4 2 (Var 0))))
-      (Mul (Add (Mul (Div (Int 3) (Int 4)) (Var 3)) (Mul (Div (Int 1) (Int 4)) (Var 4))) (Bernstein 4 3 (Var 0))))
+      (Mul (Add (Mul (Div (Int 3) (Int 4)) (Var 3)) (Mul (Div (Int 1) (Int 4)) (Var 4)))
+        (Bernstein 4 3 (Var 0))))
       (Mul (Var 4) (Bernstein 4 4 (Var 0))))
     I eq_refl I I _).
   vm_cast_no_check (eq_refl true).
@@ -26,9 +28,12 @@ Definition X (t : R) : R := (Bern 2 0 t + sqrt (1 / 2) * Bern 2 1 t) / W t.
 Definition Y (t : R) : R := (sqrt (1 / 2) * Bern 2 1 t + Bern 2 2 t) / W t.
 Definition claim_circle : Prop := forall t, W t <> 0 -> X t ^ 2 + Y t ^ 2 = 1.
 Definition root := Sqrt (Div (Int 1) (Int 2)).
-Definition WT : fn := Lam 1 (Add (Add (Bernstein 2 0 (Var 0)) (Mul root (Bernstein 2 1 (Var 0)))) (Bernstein 2 2 (Var 0))).
-Definition XT : fn := Lam 1 (Div (Add (Bernstein 2 0 (Var 0)) (Mul root (Bernstein 2 1 (Var 0)))) (App WT [Var 0])).
-Definition YT : fn := Lam 1 (Div (Add (Mul root (Bernstein 2 1 (Var 0))) (Bernstein 2 2 (Var 0))) (App WT [Var 0])).
+Definition WT : fn := Lam 1 (Add (Add (Bernstein 2 0 (Var 0)) (Mul root (Bernstein 2 1 (Var 0))))
+  (Bernstein 2 2 (Var 0))).
+Definition XT : fn := Lam 1 (Div (Add (Bernstein 2 0 (Var 0)) (Mul root (Bernstein 2 1 (Var 0))))
+  (App WT [Var 0])).
+Definition YT : fn := Lam 1 (Div (Add (Mul root (Bernstein 2 1 (Var 0))) (Bernstein 2 2 (Var 0)))
+  (App WT [Var 0])).
 Theorem circle : claim_circle.
 Proof.
   intros t w.
@@ -66,13 +71,15 @@ Proof.
 Qed.
 
 (* An integral with symbolic bounds. *)
-Definition claim_integral : Prop := forall a b : R, RInt (fun t => t * (b - t)) a b = (b - a) ^ 2 * (b + 2 * a) / 6.
+Definition claim_integral : Prop := forall a b : R, RInt (fun t => t * (b - t)) a b = (b - a)
+  ^ 2 * (b + 2 * a) / 6.
 Theorem integral : claim_integral.
 Proof.
   intros a b.
   refine (equation [] [a; b] [] 2 [] [] [] []
     (Integral (Var 0) (Var 1) (Mul (Var 0) (Sub (Var 2) (Var 0))))
-    (Div (Mul (Pow (Sub (Var 1) (Var 0)) 2) (Add (Var 1) (Mul (Int 2) (Var 0)))) (Int 6)) I eq_refl I I _).
+    (Div (Mul (Pow (Sub (Var 1) (Var 0)) 2) (Add (Var 1) (Mul (Int 2) (Var 0)))) (Int 6))
+      I eq_refl I I _).
   vm_cast_no_check (eq_refl true).
 Qed.
 
@@ -82,7 +89,8 @@ Definition claim_minimum : Prop := forall b0 b1 b2 : R,
   energy (fun t => b0 * Bern 2 0 t + (b0 + b2) / 2 * Bern 2 1 t + b2 * Bern 2 2 t)
   <= energy (fun t => b0 * Bern 2 0 t + b1 * Bern 2 1 t + b2 * Bern 2 2 t).
 Definition parabola (b0 b1 b2 : term) : fn :=
-  Lam 1 (Add (Add (Mul b0 (Bernstein 2 0 (Var 0))) (Mul b1 (Bernstein 2 1 (Var 0)))) (Mul b2 (Bernstein 2 2 (Var 0)))).
+  Lam 1 (Add (Add (Mul b0 (Bernstein 2 0 (Var 0))) (Mul b1 (Bernstein 2 1 (Var 0))))
+    (Mul b2 (Bernstein 2 2 (Var 0)))).
 Definition energyT (f : fn) : term := Integral (Int 0) (Int 1) (Pow (App (Deriv 0 f) [Var 0]) 2).
 Theorem minimum : claim_minimum.
 Proof.

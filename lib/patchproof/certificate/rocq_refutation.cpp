@@ -109,9 +109,9 @@ class RefutationWriter {
         twin.of(std::make_shared<const Scalar>(variable));
       }
       const std::size_t arity = function->formals.size();
-      result += premise("exact (smooth_polynomial" + (arity == 1 ? "" : std::to_string(arity)) + " " +
-                        std::to_string(sequent_.smoothness(symbol)) + " " +
-                        twin.of(function->body) + " eq_refl)");
+      result += premise("refine (polynomial_smooth" + (arity == 1 ? "" : std::to_string(arity)) +
+                        " [] [] 0 eq_refl " + std::to_string(sequent_.smoothness(symbol)) + " " +
+                        twin.of(function->body) + " _). " + computed + ".");
     }
     return result;
   }
