@@ -9,8 +9,7 @@ namespace patchproof {
 namespace {
 
 /// How often a changed case is decided in the search for one number.
-constexpr std::size_t most_looks = 300;
-constexpr std::size_t most_candidates = 40;
+constexpr std::size_t most_looks = 1000;
 /// How many numbers one after the other are proposed.
 constexpr std::size_t most_numbers = 3;
 
@@ -18,12 +17,6 @@ struct Candidate {
   std::vector<Edit> edits;
   std::string words;
 };
-
-bool hides(const Data& data, const std::vector<const Mutant*>& hidden) {
-  return std::any_of(hidden.begin(), hidden.end(), [&](const Mutant* m) {
-    return std::find(m->data.begin(), m->data.end(), data.name) != m->data.end();
-  });
-}
 
 Candidate symbols(const CaseMutator& of, const std::vector<const Mutant*>& hidden) {
   Candidate result;
@@ -59,59 +52,84 @@ std::vector<Candidate> numbers(const CaseMutator& of, const std::vector<const Mu
 
 /// What a candidate comes to.
 struct Score {
+  const Candidate* candidate = nullptr;
   std::set<const Mutant*> noticed;
+  /// Claims that speak of numbers that are others then.
   std::vector<std::string> lost;
-
-  // Claims that go on holding come first: then nothing else of the case has to be changed.
-  bool is_less(const Score& other) const {
-    if (lost.empty() != other.lost.empty() && !noticed.empty() && !other.noticed.empty())
-      return !lost.empty();
-    if (noticed.size() != other.noticed.size()) return noticed.size() < other.noticed.size();
-    return lost.size() > other.lost.size();
-  }
 };
+
+// A claim whose numbers are others notices an error when that changes how far it is off.
+bool notices(const CaseMutator::Findings& before, const CaseMutator::Findings& after) {
+  return std::any_of(before.begin(), before.end(), [&](const auto& finding) {
+    const auto other = after.find(finding.first);
+    return other != after.end() && other->second != finding.second;
+  });
+}
 
 Score score_of(const CaseMutator& of, const Candidate& candidate,
                const std::vector<const Mutant*>& hidden) {
-  Score result;
-  const std::set<std::string> holding = of.holding(candidate.edits);
-  if (holding.empty()) return result;
-  for (const std::string& name : of.observers())
-    if (!holding.contains(name)) result.lost.push_back(name);
+  Score result{&candidate, {}, {}};
+  const CaseMutator::Findings before = of.findings(candidate.edits);
+  for (const auto& [name, finding] : before)
+    if (!finding.empty()) result.lost.push_back(name);
+  if (before.size() != of.observers().size()) return {};
   for (const Mutant* mutant : hidden)
-    if (of.notices(*mutant, candidate.edits, holding)) result.noticed.insert(mutant);
+    if (notices(before, of.findings(candidate.edits, *mutant))) result.noticed.insert(mutant);
   return result;
+}
+
+/// Takes the scores that notice most of what is left, those first that leave all claims as they
+/// are.
+void choose(std::vector<Score> scores, std::set<const Mutant*> left, bool may_lose,
+            std::vector<BetterData>& result) {
+  while (result.size() < most_numbers && !left.empty()) {
+    const Score* best = nullptr;
+    std::size_t most = 0;
+    for (Score& score : scores) {
+      if (!may_lose && !score.lost.empty()) continue;
+      std::erase_if(score.noticed, [&](const Mutant* m) { return !left.contains(m); });
+      const bool is_better =
+          score.noticed.size() > most ||
+          (best != nullptr && score.noticed.size() == most && score.lost.size() < best->lost.size());
+      if (!is_better || score.noticed.empty()) continue;
+      best = &score;
+      most = score.noticed.size();
+    }
+    if (best == nullptr) {
+      if (may_lose) return;
+      may_lose = true;
+      continue;
+    }
+    result.push_back({best->candidate->words, false, most, best->lost});
+    const std::set<const Mutant*> noticed = best->noticed;
+    std::erase_if(left, [&](const Mutant* m) { return noticed.contains(m); });
+  }
 }
 
 }  // namespace
 
+bool hides(const Data& data, const std::vector<const Mutant*>& hidden) {
+  return std::any_of(hidden.begin(), hidden.end(), [&](const Mutant* m) {
+    return std::find(m->data.begin(), m->data.end(), data.name) != m->data.end();
+  });
+}
+
 std::vector<BetterData> better_data(const CaseMutator& of,
                                     const std::vector<const Mutant*>& hidden) {
-  std::vector<BetterData> result;
-  if (hidden.empty()) return result;
   const Candidate general = symbols(of, hidden);
   const Score for_symbols = score_of(of, general, hidden);
   if (!for_symbols.noticed.empty() && for_symbols.lost.empty())
-    result.push_back({general.words, true, for_symbols.noticed.size(), {}});
-  std::vector<const Mutant*> left = hidden;
-  std::vector<Candidate> candidates = numbers(of, hidden);
+    return {{general.words, true, for_symbols.noticed.size(), {}}};
+  const std::vector<Candidate> candidates = numbers(of, hidden);
+  std::vector<Score> scores;
   std::size_t looks = 0;
-  for (std::size_t count = 0; count < most_numbers && !left.empty(); ++count) {
-    Score best;
-    const Candidate* chosen = nullptr;
-    for (std::size_t k = 0; k < std::min(candidates.size(), most_candidates); ++k) {
-      if (looks > most_looks) break;
-      looks += 1 + left.size();
-      const Score score = score_of(of, candidates[k], left);
-      if (!best.is_less(score)) continue;
-      best = score;
-      chosen = &candidates[k];
-      if (best.noticed.size() == left.size() && best.lost.empty()) break;
-    }
-    if (chosen == nullptr || best.noticed.empty()) break;
-    result.push_back({chosen->words, false, best.noticed.size(), best.lost});
-    std::erase_if(left, [&](const Mutant* m) { return best.noticed.contains(m); });
+  for (const Candidate& candidate : candidates) {
+    looks += 1 + hidden.size();
+    if (looks > most_looks) break;
+    scores.push_back(score_of(of, candidate, hidden));
   }
+  std::vector<BetterData> result;
+  choose(scores, {hidden.begin(), hidden.end()}, false, result);
   return result;
 }
 

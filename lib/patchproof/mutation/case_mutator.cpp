@@ -12,6 +12,14 @@ bool is_proved(Verdict verdict) {
   return verdict == Verdict::proved || verdict == Verdict::proved_if;
 }
 
+// "u = 1/2, v = 0": where the two sides were found to differ.
+std::string place_of(const Decision& decision, const std::set<std::string>& parameters) {
+  std::string result;
+  for (const auto& [name, value] : decision.witness.values)
+    if (parameters.contains(name)) result += (result.empty() ? "" : ", ") + name + " = " + value;
+  return result;
+}
+
 std::vector<Edit> together(std::vector<Edit> a, const std::vector<Edit>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
@@ -24,6 +32,27 @@ bool is_of(const Claim& claim, const std::string& label) {
 }
 
 }  // namespace
+
+SiteMutants mutants_of(const Site& site, std::size_t most,
+                       const std::function<Mutant(const SiteError&)>& mutant_of) {
+  SiteMutants result{site.kind, site.name, site.span, 0, {}};
+  for (const SiteError& error : in_turns(site.errors)) {
+    if (result.mutants.size() == most) {
+      ++result.left_out;
+      continue;
+    }
+    Mutant mutant = mutant_of(error);
+    if (mutant.fate == Fate::meaningless) continue;
+    const Edit& edit = error.error.edit;
+    mutant.place = {site.span.source, edit.begin, edit.end};
+    result.mutants.push_back(std::move(mutant));
+  }
+  std::stable_sort(result.mutants.begin(), result.mutants.end(),
+                   [](const Mutant& a, const Mutant& b) {
+                     return a.change.error.edit < b.change.error.edit;
+                   });
+  return result;
+}
 
 CaseMutator::CaseMutator(const syntax::File& file, const syntax::Case& written, const Case& given,
                          const MutationOptions& options)
@@ -65,8 +94,6 @@ void CaseMutator::look_at_claims(CaseMutation& result) {
     else if (wants(claim.claim.label))
       (claim.outcome == Outcome::unknown ? result.undecided : result.wrong).push_back(name);
   }
-  for (const Data& data : data_)
-    result.shapes.insert(result.shapes.end(), data.shape.begin(), data.shape.end());
   find_general();
 }
 
@@ -83,14 +110,32 @@ void CaseMutator::find_general() {
   general_observers_ = general_.empty() ? observers_ : holding(general_);
 }
 
-std::set<std::string> CaseMutator::holding(const std::vector<Edit>& edits) const {
-  std::set<std::string> result;
-  const std::optional<Case> read = text_.read(edits);
+CaseMutator::Findings CaseMutator::findings(std::vector<Edit> edits) const {
+  Findings result;
+  const std::optional<Case> read = text_.read(std::move(edits));
   if (!read) return result;
   const auto is_observer = [&](const Claim& c) { return observers_.contains(name_of(c)); };
   const auto never = [](const ClaimResult&) { return false; };
-  for (const ClaimResult& claim : results_of(*read, is_observer, never))
-    if (claim.outcome == Outcome::as_expected) result.insert(name_of(claim.claim));
+  for (const ClaimResult& claim : results_of(*read, is_observer, never)) {
+    const Decision& decision = claim.decision;
+    if (claim.outcome == Outcome::as_expected)
+      result[name_of(claim.claim)] = "";
+    else if (claim.outcome != Outcome::unknown)
+      result[name_of(claim.claim)] =
+          to_text(decision.verdict) + decision.witness.component + " " + decision.residual;
+  }
+  return result;
+}
+
+CaseMutator::Findings CaseMutator::findings(std::vector<Edit> edits, const Mutant& mutant) const {
+  edits.push_back(mutant.change.error.edit);
+  return findings(std::move(edits));
+}
+
+std::set<std::string> CaseMutator::holding(const std::vector<Edit>& edits) const {
+  std::set<std::string> result;
+  for (const auto& [name, finding] : findings(edits))
+    if (finding.empty()) result.insert(name);
   return result;
 }
 
@@ -99,14 +144,11 @@ std::vector<SiteMutants> CaseMutator::sites() const {
   for (const Site& site : sites_of(written_, text_.fresh_word())) {
     const bool wanted = site.kind == Site::Kind::claim ? wants(site.name) : wants_everything();
     if (!wanted) continue;
-    SiteMutants mutants{site.kind, site.name, site.span, site.errors.size(), {}};
-    for (const SiteError& error : the_most_different(site.errors, options_.most)) {
-      const Edit& edit = error.error.edit;
-      Mutant mutant{error, {site.span.source, edit.begin, edit.end}, fate(site, error), {}, {}};
+    result.push_back(mutants_of(site, options_.most, [&](const SiteError& error) {
+      Mutant mutant{error, {}, fate(site, error), {}, {}, {}};
       if (mutant.fate == Fate::survives) explain(site.kind, mutant);
-      mutants.mutants.push_back(std::move(mutant));
-    }
-    result.push_back(std::move(mutants));
+      return mutant;
+    }));
   }
   return result;
 }
@@ -118,62 +160,61 @@ Fate CaseMutator::fate(const Site& site, const SiteError& error) const {
   });
 }
 
-Verdict CaseMutator::compared(const SiteError& error, std::vector<Edit> edits) const {
+Decision CaseMutator::compared(const SiteError& error, std::vector<Edit> edits) const {
   edits.push_back({error.comparison_at, error.comparison_at, error.comparison, ""});
-  const std::optional<Case> read = text_.read(edits);
-  if (!read) return Verdict::unknown;
+  const std::optional<Case> read = text_.read(std::move(edits));
+  if (!read) return {};
   const auto is_comparison = [&](const Claim& c) { return c.label == text_.fresh_word(); };
   const auto is_other = [](const ClaimResult& r) { return !is_proved(r.decision.verdict); };
-  Verdict verdict = Verdict::unknown;
+  Decision decision;
   for (const ClaimResult& result : results_of(*read, is_comparison, is_other)) {
-    verdict = result.decision.verdict;
-    if (!is_proved(verdict)) return verdict;
+    decision = result.decision;
+    if (!is_proved(decision.verdict)) break;
   }
-  return verdict;
+  return decision;
 }
 
-bool CaseMutator::notices(const Mutant& mutant, const std::vector<Edit>& other,
-                          const std::set<std::string>& noticing) const {
-  const SiteError& error = mutant.change;
-  return fate_of(text_.read(together(other, {error.error.edit})), [&](const Claim& claim) {
-           return noticing.contains(name_of(claim));
+bool CaseMutator::is_noticed_in_general(const SiteError& error) const {
+  return fate_of(text_.read(together(general_, {error.error.edit})), [&](const Claim& claim) {
+           return general_observers_.contains(name_of(claim));
          }) == Fate::noticed;
 }
 
 // Whether the changed part is another one, or has claims that see it, after changes of the data.
 bool CaseMutator::differs(const SiteError& error, const std::vector<Edit>& edits) const {
-  if (!error.comparison.empty()) return compared(error, edits) == Verdict::refuted;
+  if (!error.comparison.empty()) return compared(error, edits).verdict == Verdict::refuted;
+  const std::set<std::string> noticing = holding(edits);
   return fate_of(text_.read(together(edits, {error.error.edit})), [&](const Claim& claim) {
-           return general_observers_.contains(name_of(claim));
+           return noticing.contains(name_of(claim));
          }) == Fate::noticed;
 }
 
 void CaseMutator::explain(Site::Kind kind, Mutant& mutant) const {
+  if (!mutant.change.comparison.empty()) return explain_by_comparison(kind, mutant);
+  const bool by_data = kind != Site::Kind::data && !general_.empty() &&
+                       is_noticed_in_general(mutant.change);
+  mutant.why = by_data ? Why::data : Why::independent;
+  if (by_data) name_data(mutant);
+}
+
+void CaseMutator::explain_by_comparison(Site::Kind kind, Mutant& mutant) const {
   const SiteError& error = mutant.change;
-  if (kind == Site::Kind::data) {
-    mutant.why = Why::independent;
-    return;
-  }
-  if (!error.comparison.empty()) {
-    if (is_proved(compared(error, together(general_, unassumed_)))) {
-      mutant.why = Why::same;
-      return;
-    }
-    if (!unassumed_.empty() && is_proved(compared(error, general_))) {
-      mutant.why = Why::assumed;
-      return;
-    }
-    const bool seen_differs = compared(error, {}) == Verdict::refuted;
-    if (kind != Site::Kind::claim && seen_differs && !notices(mutant, general_, general_observers_)) {
+  const Decision in_general = compared(error, together(general_, unassumed_));
+  if (is_proved(in_general.verdict)) {
+    mutant.why = Why::same;
+  } else if (!unassumed_.empty() && is_proved(compared(error, general_).verdict)) {
+    mutant.why = Why::assumed;
+  } else {
+    const Decision here = compared(error, {});
+    const bool is_other = here.verdict == Verdict::refuted;
+    if (kind != Site::Kind::claim && is_other && !is_noticed_in_general(error)) {
       mutant.why = Why::independent;
-      return;
+      mutant.differs_at = place_of(here, vocabulary_of(written_).parameters);
+    } else {
+      mutant.why = !general_.empty() && differs(error, general_) ? Why::data : Why::untold;
+      if (mutant.why == Why::data) name_data(mutant);
     }
-  } else if (!differs(error, general_)) {
-    mutant.why = Why::independent;
-    return;
   }
-  mutant.why = !general_.empty() && differs(error, general_) ? Why::data : Why::untold;
-  if (mutant.why == Why::data) name_data(mutant);
 }
 
 void CaseMutator::name_data(Mutant& mutant) const {

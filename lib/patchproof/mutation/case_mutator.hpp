@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -8,6 +9,10 @@
 #include <patchproof/mutation/mutation.hpp>
 
 namespace patchproof {
+
+/// What becomes of the errors of a part: of at most so many that have a meaning.
+SiteMutants mutants_of(const Site& site, std::size_t most,
+                       const std::function<Mutant(const SiteError&)>& mutant_of);
 
 /// One case under mutation: what its claims are without any change, and what they notice.
 class CaseMutator {
@@ -31,12 +36,11 @@ class CaseMutator {
   /// Fills in why an error that survives is not noticed.
   void explain(Site::Kind kind, Mutant& mutant) const;
 
-  /// Whether an error is noticed with other changes of the text as well; `noticing` are the claims
-  /// that hold after these.
-  bool notices(const Mutant& mutant, const std::vector<Edit>& other,
-               const std::set<std::string>& noticing) const;
-  /// The claims that have the verdict expected after changes; empty when the text has mistakes.
-  std::set<std::string> holding(const std::vector<Edit>& edits) const;
+  /// What the claims come to after changes: "" for one with the verdict expected, for others what
+  /// they are off by. Claims that are not decided are left out; all, when the text has mistakes.
+  using Findings = std::map<std::string, std::string>;
+  Findings findings(std::vector<Edit> edits) const;
+  Findings findings(std::vector<Edit> edits, const Mutant& mutant) const;
 
   const std::vector<Data>& data() const { return data_; }
   const std::set<std::string>& observers() const { return observers_; }
@@ -44,9 +48,12 @@ class CaseMutator {
   static Edit for_symbols(const Data& data);
 
  private:
-  Verdict compared(const SiteError& error, std::vector<Edit> edits) const;
+  Decision compared(const SiteError& error, std::vector<Edit> edits) const;
+  std::set<std::string> holding(const std::vector<Edit>& edits) const;
   bool differs(const SiteError& error, const std::vector<Edit>& edits) const;
   void name_data(Mutant& mutant) const;
+  bool is_noticed_in_general(const SiteError& error) const;
+  void explain_by_comparison(Site::Kind kind, Mutant& mutant) const;
   void find_general();
 
   const syntax::Case& written_;

@@ -63,15 +63,11 @@ CaseMutation definitions_of(const syntax::File& file, const std::deque<CaseMutat
   for (const syntax::Definition& definition : file.definitions) {
     if (!used.contains(definition.name.text)) continue;
     const Site site = site_of(definition);
-    SiteMutants mutants{site.kind, site.name, site.span, site.errors.size(), {}};
-    for (const SiteError& error : the_most_different(site.errors, most)) {
-      const Edit& edit = error.error.edit;
-      Mutant mutant{error, {site.span.source, edit.begin, edit.end}, {}, {}, {}};
-      mutant.fate = fate_in_all(cases, site, error);
+    result.sites.push_back(mutants_of(site, most, [&](const SiteError& error) {
+      Mutant mutant{error, {}, fate_in_all(cases, site, error), {}, {}, {}};
       if (mutant.fate == Fate::survives) explain_in_all(cases, mutant);
-      mutants.mutants.push_back(std::move(mutant));
-    }
-    result.sites.push_back(std::move(mutants));
+      return mutant;
+    }));
   }
   return result;
 }
@@ -110,7 +106,12 @@ std::vector<CaseMutation> mutations_of(const syntax::File& file, const std::vect
     std::vector<const Mutant*> hidden;
     add_hidden(result[k + 1], hidden);
     add_hidden(result.front(), hidden);
+    if (hidden.empty()) continue;
     result[k + 1].hidden = hidden.size();
+    for (const Data& data : mutators[k].data())
+      if (hides(data, hidden))
+        result[k + 1].shapes.insert(result[k + 1].shapes.end(), data.shape.begin(),
+                                    data.shape.end());
     result[k + 1].better = better_data(mutators[k], hidden);
   }
   if (result.front().sites.empty()) result.erase(result.begin());

@@ -27,6 +27,9 @@ struct Mutant {
   Why why = Why::none;
   /// The names of the data that hide it.
   std::vector<std::string> data;
+  /// Values of parameters for which the changed declaration differs, as in "u = 1, v = 0"; "" where
+  /// none are known.
+  std::string differs_at;
 };
 
 /// All errors put into one part.
@@ -34,8 +37,8 @@ struct SiteMutants {
   Site::Kind kind = Site::Kind::claim;
   std::string name;
   Span span;
-  /// How many there are; more than were tried when there are too many.
-  std::size_t possible = 0;
+  /// How many were not tried, because there are more than are allowed.
+  std::size_t left_out = 0;
   std::vector<Mutant> mutants;
 };
 

@@ -24,6 +24,10 @@ std::string fresh_in(const std::string& text) {
   return word;
 }
 
+bool is_over_limit(const ClaimResult& result) {
+  return result.outcome == Outcome::unknown && result.decision.reason.starts_with("limit");
+}
+
 bool derives(const Case& read) {
   return std::any_of(read.claims.begin(), read.claims.end(),
                      [](const Claim& claim) { return claim.verb == "derive"; });
@@ -73,15 +77,15 @@ std::vector<ClaimResult> results_of(const Case& read, const ClaimFilter& wanted,
 Fate fate_of(const std::optional<Case>& read, const ClaimFilter& wanted) {
   if (!read) return Fate::meaningless;
   const auto is_noticed = [](const ClaimResult& result) {
-    return result.outcome == Outcome::wrong || result.outcome == Outcome::vacuous ||
-           result.outcome == Outcome::error;
+    return result.outcome != Outcome::as_expected && result.outcome != Outcome::internal &&
+           !is_over_limit(result);
   };
   const std::vector<ClaimResult> results = results_of(*read, wanted, is_noticed);
   Fate fate = Fate::survives;
   for (const ClaimResult& result : results) {
     if (result.outcome == Outcome::internal) return Fate::internal;
     if (is_noticed(result)) return Fate::noticed;
-    if (result.outcome == Outcome::unknown) fate = Fate::undecided;
+    if (is_over_limit(result)) fate = Fate::undecided;
   }
   return fate;
 }

@@ -16,7 +16,7 @@ namespace patchproof {
 
 /// What becomes of a changed case.
 enum class Fate {
-  noticed,      ///< a claim has another verdict than its author expects
+  noticed,      ///< a claim has another verdict than its author expects, or has none
   meaningless,  ///< the changed text has mistakes, so it is no error that could stay
   survives,     ///< all claims have the verdicts their author expects
   undecided,    ///< a claim was not decided within the limits, and none is noticed to be wrong

@@ -158,15 +158,17 @@ Site site_of(const syntax::Definition& definition) {
   return result;
 }
 
-std::vector<SiteError> the_most_different(const std::vector<SiteError>& errors, std::size_t most) {
+std::vector<SiteError> in_turns(const std::vector<SiteError>& errors) {
   std::map<std::string, std::size_t> turns;
   std::vector<std::pair<std::size_t, std::size_t>> order;
-  for (std::size_t k = 0; k < errors.size(); ++k)
-    order.emplace_back(turns[errors[k].error.edit.what]++, k);
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const TypicalError& error = errors[k].error;
+    const bool is_datum = error.edit.what == "datum";
+    const std::string kind =
+        is_datum ? error.words.substr(0, error.words.find(':')) : error.edit.what;
+    order.emplace_back(turns[kind]++, k);
+  }
   std::sort(order.begin(), order.end());
-  order.resize(std::min(order.size(), most));
-  std::sort(order.begin(), order.end(),
-            [](const auto& a, const auto& b) { return a.second < b.second; });
   std::vector<SiteError> result;
   for (const auto& [turn, k] : order) result.push_back(errors[k]);
   return result;

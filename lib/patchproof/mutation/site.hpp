@@ -41,7 +41,8 @@ std::vector<Site> sites_of(const syntax::Case& written, const std::string& fresh
 /// The part of a definition: its value, and the names it gives.
 Site site_of(const syntax::Definition& definition);
 
-/// At most so many errors: the kinds take turns, and what is left stays in its order.
-std::vector<SiteError> the_most_different(const std::vector<SiteError>& errors, std::size_t most);
+/// The errors in the order in which they are tried when not all of them are: the kinds take turns,
+/// in data the entries.
+std::vector<SiteError> in_turns(const std::vector<SiteError>& errors);
 
 }  // namespace patchproof

@@ -111,6 +111,7 @@ class Walk {
         if (parameter.size() != 1 || parameter[0] == suffix[k]) continue;
         std::string other = suffix;
         other[k] = parameter[0];
+        std::sort(other.begin() + 1, other.end());
         replace(e.span, base + other, "derivative");
       }
     }

@@ -1,15 +1,17 @@
 #include <patchproof/mutation/vocabulary.hpp>
 
+#include <patchproof/mutation/numeric.hpp>
+
 namespace patchproof {
 
 namespace {
 
 void add(const syntax::Binder& binder, Vocabulary& result) {
-  result.names.insert(binder.name.text);
+  result.names.emplace(binder.name.text, "index");
 }
 
 void add_parameter(const syntax::Name& name, Vocabulary& result) {
-  result.names.insert(name.text);
+  result.names.emplace(name.text, "parameter");
   result.parameters.insert(name.text);
 }
 
@@ -20,12 +22,12 @@ void add(const syntax::Statement& s, Vocabulary& result) {
   for (const syntax::Binder& binder : s.binders) add(binder, result);
   for (const syntax::Binder& binder : s.clauses.binders) add(binder, result);
   for (const syntax::Declarator& d : s.declarators) {
-    result.names.insert(d.name.text);
     const bool is_net = s.kind == Kind::matrix || s.kind == Kind::net || d.extents.size() == 2;
+    result.names.emplace(d.name.text, is_net ? "net" : as_text(s.keyword));
     if (is_net) result.nets.insert(d.name.text);
     for (const syntax::Name& name : d.parameters) {
       if (s.kind == Kind::net)
-        result.names.insert(name.text);
+        result.names.emplace(name.text, "index");
       else
         add_parameter(name, result);
     }
@@ -42,9 +44,16 @@ bool differ_in_one(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::vector<std::string> Vocabulary::similar(const std::string& name) const {
+  const auto own = names.find(name);
+  if (own == names.end()) return {};
+  std::vector<std::string> before;
+  std::vector<std::string> after;
+  for (const auto& [other, kind] : names)
+    if (kind == own->second && differ_in_one(name, other))
+      (other < name ? before : after).push_back(other);
   std::vector<std::string> result;
-  for (const std::string& other : names)
-    if (differ_in_one(name, other)) result.push_back(other);
+  if (!before.empty()) result.push_back(before.back());
+  if (!after.empty()) result.push_back(after.front());
   return result;
 }
 
@@ -58,7 +67,7 @@ Vocabulary vocabulary_of(const syntax::Definition& written) {
   Vocabulary result;
   for (const syntax::Formal& formal : written.formals) {
     using Kind = syntax::FormalType::Kind;
-    result.names.insert(formal.name.text);
+    result.names.emplace(formal.name.text, "formal");
     if (formal.type.kind == Kind::net || formal.type.kind == Kind::matrix)
       result.nets.insert(formal.name.text);
     for (const syntax::Name& name : formal.type.parameters) add_parameter(name, result);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,14 +11,16 @@ namespace patchproof {
 
 /// The names an author may have mixed up with each other: those written in one case or definition.
 struct Vocabulary {
-  /// All that are declared, with parameters and running indices.
-  std::set<std::string> names;
+  /// All that are declared, with parameters and running indices, and what each of them is: the
+  /// word it is declared with, or "parameter", "index", "formal".
+  std::map<std::string, std::string> names;
   /// Parameters of functions, which may stand behind the '_' of a derivative.
   std::set<std::string> parameters;
   /// Names of nets and matrices, which can be transposed.
   std::set<std::string> nets;
 
-  /// The names that differ from this one in a single character, in the order of the alphabet.
+  /// The names of the same kind that differ from this one in a single character: the next one in
+  /// the alphabet on either side.
   std::vector<std::string> similar(const std::string& name) const;
 };
 

@@ -66,6 +66,7 @@ Json to_json(const Mutant& mutant) {
   object["fate"] = word_of(mutant.fate);
   object["why"] = text_or_null(word_of(mutant.why));
   object["data"] = mutant.data;
+  object["differs_at"] = text_or_null(mutant.differs_at);
   return object;
 }
 
@@ -74,7 +75,7 @@ Json to_json(const SiteMutants& site) {
   object["kind"] = word_of(site.kind);
   object["name"] = site.name;
   add_place(site.span, object);
-  object["possible"] = site.possible;
+  object["left_out"] = site.left_out;
   object["changes"] = Json::array();
   for (const Mutant& mutant : site.mutants) object["changes"].push_back(to_json(mutant));
   return object;

@@ -36,7 +36,8 @@ std::string reason_of(const Mutant& mutant) {
     case Why::data:
       return ": the same for the numbers of " + joined(mutant.data);
     case Why::independent:
-      return ": no claim depends on it";
+      return ": no claim notices it" +
+             (mutant.differs_at.empty() ? "" : "; differs at " + printable(mutant.differs_at));
     default:
       return "";
   }
@@ -63,7 +64,7 @@ std::string data_line(const SiteMutants& site, const MutationCount& count) {
     const std::string owner = words.substr(0, words.find(": "));
     if (owners.empty() || owners.back() != owner) owners.push_back(owner);
   }
-  return "  no claim depends on numbers of " + joined(owners) + "\n";
+  return "  no claim notices other numbers in " + joined(owners) + "\n";
 }
 
 std::string paragraph(const CaseMutation& of, const SiteMutants& site, bool verbose) {
@@ -73,10 +74,9 @@ std::string paragraph(const CaseMutation& of, const SiteMutants& site, bool verb
   if (!shown) return "";
   std::string text = place_of(site.span) + ": " + id_of(of, site) + ": " +
                      std::to_string(count.unnoticed) + " of " +
-                     counted(count.tried, "change is", "changes are") + " not noticed";
-  if (site.mutants.size() < site.possible)
-    text += " (tried: " + std::to_string(site.mutants.size()) + " of " +
-            std::to_string(site.possible) + ")";
+                     counted(count.tried, "change", "changes") + " not noticed";
+  if (site.left_out > 0)
+    text += " (" + std::to_string(site.left_out) + " more not tried)";
   text += "\n" + excerpt_of(site.span);
   if (site.kind == Site::Kind::data && count.undecided == 0 && count.internal == 0)
     return text + data_line(site, count) + "\n";
@@ -88,7 +88,7 @@ std::string paragraph(const CaseMutation& of, const SiteMutants& site, bool verb
 }
 
 std::string better_line(const BetterData& better, std::size_t hidden) {
-  std::string text = better.for_symbols ? "for symbols: " : "with ";
+  std::string text = better.for_symbols ? "for symbols, " : "with ";
   text += printable(better.words) + ": " + std::to_string(better.noticed) + " of " +
           counted(hidden, "is", "are") + " noticed";
   if (!better.other_values.empty())
