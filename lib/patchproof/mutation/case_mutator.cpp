@@ -35,7 +35,7 @@ bool is_of(const Claim& claim, const std::string& label) {
 
 SiteMutants mutants_of(const Site& site, std::size_t most,
                        const std::function<Mutant(const SiteError&)>& mutant_of) {
-  SiteMutants result{site.kind, site.name, site.span, 0, {}};
+  SiteMutants result{site.kind, site.name, site.span, 0, {}, ""};
   for (const SiteError& error : in_turns(site.errors)) {
     if (result.mutants.size() == most) {
       ++result.left_out;
@@ -149,8 +149,17 @@ std::vector<SiteMutants> CaseMutator::sites() const {
       if (mutant.fate == Fate::survives) explain(site.kind, mutant);
       return mutant;
     }));
+    if (site.kind == Site::Kind::data) generalise(result.back());
   }
   return result;
+}
+
+void CaseMutator::generalise(SiteMutants& site) const {
+  const auto survives = [](const Mutant& m) { return m.fate == Fate::survives; };
+  if (!std::all_of(site.mutants.begin(), site.mutants.end(), survives)) return;
+  for (const Data& data : data_)
+    if (data.name == site.name && holding({for_symbols(data)}) == observers_)
+      site.for_symbols = data.for_symbols;
 }
 
 Fate CaseMutator::fate(const Site& site, const SiteError& error) const {

@@ -52,6 +52,8 @@ class CaseMutator {
   std::set<std::string> holding(const std::vector<Edit>& edits) const;
   bool differs(const SiteError& error, const std::vector<Edit>& edits) const;
   void name_data(Mutant& mutant) const;
+  /// Fills in the declaration for symbols of data that no claim notices.
+  void generalise(SiteMutants& site) const;
   bool is_noticed_in_general(const SiteError& error) const;
   void explain_by_comparison(Site::Kind kind, Mutant& mutant) const;
   void find_general();

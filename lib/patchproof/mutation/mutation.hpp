@@ -40,6 +40,9 @@ struct SiteMutants {
   /// How many were not tried, because there are more than are allowed.
   std::size_t left_out = 0;
   std::vector<Mutant> mutants;
+  /// Of data that no claim notices: the same for symbols, where all claims hold for these as well,
+  /// as in "point V[0..3, 0..3] in R^3".
+  std::string for_symbols;
 };
 
 /// Other data for a case.
@@ -48,7 +51,8 @@ struct BetterData {
   std::string words;
   /// Whether numbers give way to symbols.
   bool for_symbols = false;
-  /// How many of the errors that the data hide are noticed then.
+  /// How many of the errors that the data hide are noticed then; of several changes one after the
+  /// other, with those before.
   std::size_t noticed = 0;
   /// Claims that speak of numbers that are others then.
   std::vector<std::string> other_values;

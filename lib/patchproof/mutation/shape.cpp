@@ -8,6 +8,9 @@ namespace {
 
 using Point = std::vector<Rational>;
 
+/// More than these are no exception.
+constexpr std::size_t most_zeros = 3;
+
 Point difference(const Point& a, const Point& b) {
   Point result;
   for (std::size_t k = 0; k < a.size(); ++k) result.push_back(a[k] - b[k]);
@@ -83,6 +86,16 @@ std::string constant_coordinates(const std::vector<Point>& points) {
   return result;
 }
 
+std::vector<std::string> zero_entries(const std::string& name, const NumericNet& net) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < net.size(); ++i)
+    for (std::size_t j = 0; j < net[i].size(); ++j)
+      if (is_zero(net[i][j]))
+        result.push_back(name + "[" + (net.size() == 1 ? "" : std::to_string(i) + ",") +
+                         std::to_string(j) + "]");
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::string> shape_of(const std::string& name, const NumericNet& net) {
@@ -101,6 +114,12 @@ std::vector<std::string> shape_of(const std::string& name, const NumericNet& net
                      (constant.empty() ? "" : ": " + constant));
   if (is_symmetric(net)) result.push_back(name + " is symmetric: " + name + "[i,j] = " + name + "[j,i]");
   if (is_net && is_without_twist(net)) result.push_back(name + " has no twist: its cells are parallelograms");
+  const std::vector<std::string> zeros = zero_entries(name, net);
+  if (!zeros.empty() && zeros.size() <= most_zeros) {
+    std::string list;
+    for (const std::string& entry : zeros) list += (list.empty() ? "" : ", ") + entry;
+    result.push_back(list + (zeros.size() == 1 ? " is zero" : " are zero"));
+  }
   if (net.size() == 1 && is_palindrome(net.front()))
     result.push_back(name + " is the same read backwards");
   return result;

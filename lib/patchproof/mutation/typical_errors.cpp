@@ -1,6 +1,7 @@
 #include <patchproof/mutation/typical_errors.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include <patchproof/language/lexer.hpp>
 #include <patchproof/repair/line.hpp>
@@ -45,7 +46,8 @@ class Walk {
 
   void add(std::size_t begin, std::size_t end, const std::string& text, const char* what,
            const std::string& words) {
-    result_.push_back({{begin, end, text, what}, words});
+    result_.push_back(
+        {{begin, end, text, what}, words + (context_.empty() ? "" : " in " + context_)});
   }
 
   void replace(const Span& span, const std::string& text, const char* what) {
@@ -128,8 +130,11 @@ class Walk {
   }
 
   void sum(const Expression& e, Place place) {
+    const std::string outer = context_;
+    if (e.parenthesised) context_ = shortened(e.span);
     if (place != Place::exponent) signs(e, place);
     for (const auto& operand : e.operands) visit(*operand, place);
+    context_ = outer;
   }
 
   void signs(const Expression& e, Place place) {
@@ -192,6 +197,8 @@ class Walk {
     const Expression& head = *e.operands.front();
     const bool is_call = e.kind == Kind::call;
     visit(head, Place::value);
+    // Arguments look alike: "0 -> 1" alone says little.
+    const std::string outer = std::exchange(context_, shortened(e.span));
     for (const Argument& a : e.arguments) {
       if (a.value) visit(*a.value, is_call ? Place::argument : Place::index);
       if (a.value && is_call) transposed(*a.value);
@@ -202,6 +209,7 @@ class Walk {
       }
     }
     exchanged(e);
+    context_ = outer;
   }
 
   void transposed(const Expression& e) {
@@ -219,7 +227,7 @@ class Walk {
         if (text_of(first) == text_of(second)) continue;
         const std::string between = text_of({first.source, first.end, second.begin});
         add(first.begin, second.end, text_of(second) + between + text_of(first), "exchanged",
-            shortened(first) + " and " + shortened(second) + " exchanged in " + shortened(e.span));
+            shortened(first) + " and " + shortened(second) + " exchanged");
       }
     }
   }
@@ -231,6 +239,8 @@ class Walk {
 
   const Vocabulary& vocabulary_;
   std::vector<Token> tokens_;
+  /// The innermost call, index or pair of parentheses around the place.
+  std::string context_;
   std::vector<TypicalError> result_;
 };
 

@@ -76,6 +76,7 @@ Json to_json(const SiteMutants& site) {
   object["name"] = site.name;
   add_place(site.span, object);
   object["left_out"] = site.left_out;
+  object["for_symbols"] = text_or_null(site.for_symbols);
   object["changes"] = Json::array();
   for (const Mutant& mutant : site.mutants) object["changes"].push_back(to_json(mutant));
   return object;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <patchproof/language/utf8.hpp>
+#include <patchproof/repair/line.hpp>
 #include <patchproof/report/excerpt.hpp>
 
 namespace patchproof {
@@ -34,7 +35,7 @@ std::string reason_of(const Mutant& mutant) {
     case Why::assumed:
       return ": says the same under the assumptions";
     case Why::data:
-      return ": the same for the numbers of " + joined(mutant.data);
+      return ": says the same for the numbers of " + joined(mutant.data);
     case Why::independent:
       return ": no claim notices it" +
              (mutant.differs_at.empty() ? "" : "; differs at " + printable(mutant.differs_at));
@@ -54,9 +55,7 @@ std::string id_of(const CaseMutation& of, const SiteMutants& site) {
 }
 
 // The numbers of data in one line: which entries may be others.
-std::string data_line(const SiteMutants& site, const MutationCount& count) {
-  if (count.unnoticed == count.tried)
-    return "  the claims hold whatever the numbers are\n";
+std::string data_line(const SiteMutants& site) {
   std::vector<std::string> owners;
   for (const Mutant& mutant : site.mutants) {
     if (mutant.fate != Fate::survives) continue;
@@ -67,11 +66,42 @@ std::string data_line(const SiteMutants& site, const MutationCount& count) {
   return "  no claim notices other numbers in " + joined(owners) + "\n";
 }
 
+bool is_free(const SiteMutants& site) {
+  const MutationCount count = count_of(site);
+  return site.kind == Site::Kind::data && count.tried > 0 && count.unnoticed == count.tried;
+}
+
+// All data of a case that the claims do not depend on.
+std::string free_data(const CaseMutation& of) {
+  constexpr std::size_t widest = 60;
+  std::string text;
+  std::string symbols;
+  for (const SiteMutants& site : of.sites) {
+    if (!is_free(site)) continue;
+    const std::string written = in_one_line(site.span);
+    text += "  " + place_of(site.span) + ": " +
+            printable(written.size() <= widest ? written : written.substr(0, widest - 3) + "...") +
+            "\n";
+    if (!site.for_symbols.empty())
+      symbols += (symbols.empty() ? "" : "; ") + printable(site.for_symbols);
+  }
+  if (text.empty()) return "";
+  if (!symbols.empty()) symbols = "  = try: all claims hold for symbols as well: " + symbols + "\n";
+  return of.name + ": no claim notices other numbers in these data\n" + text + symbols + "\n";
+}
+
+// A declaration that is another one where no claim looks.
+std::string place_line(const SiteMutants& site) {
+  const bool differs = std::any_of(site.mutants.begin(), site.mutants.end(),
+                                   [](const Mutant& m) { return !m.differs_at.empty(); });
+  return differs ? "  = try: a claim that says what " + site.name + " is there\n" : "";
+}
+
 std::string paragraph(const CaseMutation& of, const SiteMutants& site, bool verbose) {
   const MutationCount count = count_of(site);
   const bool shown = std::any_of(site.mutants.begin(), site.mutants.end(),
                                  [&](const Mutant& m) { return is_listed(m, verbose); });
-  if (!shown) return "";
+  if (!shown || is_free(site)) return "";
   std::string text = place_of(site.span) + ": " + id_of(of, site) + ": " +
                      std::to_string(count.unnoticed) + " of " +
                      counted(count.tried, "change", "changes") + " not noticed";
@@ -79,29 +109,28 @@ std::string paragraph(const CaseMutation& of, const SiteMutants& site, bool verb
     text += " (" + std::to_string(site.left_out) + " more not tried)";
   text += "\n" + excerpt_of(site.span);
   if (site.kind == Site::Kind::data && count.undecided == 0 && count.internal == 0)
-    return text + data_line(site, count) + "\n";
+    return text + data_line(site) + "\n";
   for (const Mutant& mutant : site.mutants)
     if (is_listed(mutant, verbose))
       text += "  " + place_of(mutant.place) + ": " + printable(mutant.change.error.words) +
               reason_of(mutant) + "\n";
-  return text + "\n";
-}
-
-std::string better_line(const BetterData& better, std::size_t hidden) {
-  std::string text = better.for_symbols ? "for symbols, " : "with ";
-  text += printable(better.words) + ": " + std::to_string(better.noticed) + " of " +
-          counted(hidden, "is", "are") + " noticed";
-  if (!better.other_values.empty())
-    text += "; these claims then need other numbers: " + joined(better.other_values);
-  return text;
+  return text + place_line(site) + "\n";
 }
 
 std::string data_paragraph(const CaseMutation& of) {
   if (of.hidden == 0) return "";
   std::string text = of.name + ": the data hide " + counted(of.hidden, "change", "changes") + "\n";
   for (const std::string& shape : of.shapes) text += "  = why: " + shape + "\n";
-  for (const BetterData& better : of.better)
-    text += "  = try: " + better_line(better, of.hidden) + "\n";
+  for (const BetterData& better : of.better) {
+    const bool is_first = &better == &of.better.front();
+    text += "  = try: " + std::string{is_first ? "" : "and "} +
+            (better.for_symbols ? "for symbols, " : "with ") + printable(better.words) + ": then " +
+            std::to_string(better.noticed) + " of " + std::to_string(of.hidden) +
+            (better.noticed == 1 ? " is noticed" : " are noticed");
+    if (!better.other_values.empty())
+      text += ", with other numbers in " + joined(better.other_values);
+    text += "\n";
+  }
   if (of.better.empty()) text += "  = no change of one number was found that shows them\n";
   return text + "\n";
 }
@@ -182,7 +211,7 @@ std::string text_of(const MutationReport& report) {
   for (const CaseMutation& of : report.cases) {
     text += claims_paragraph(of);
     for (const SiteMutants& site : of.sites) text += paragraph(of, site, report.verbose);
-    text += data_paragraph(of);
+    text += free_data(of) + data_paragraph(of);
   }
   return text + summary(report) + "\n";
 }
