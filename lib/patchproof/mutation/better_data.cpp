@@ -49,7 +49,8 @@ Candidate raised(const Data& curve, bool at_end) {
   const Span& span = height.value->span;
   const std::string old = as_text(span);
   const std::string more = at_end ? t : "1-" + t;
-  return with_change(height, {span.begin, span.end, old == "0" ? more : old + " + " + more, "datum"});
+  return with_change(height,
+                     {span.begin, span.end, old == "0" ? more : old + " + " + more, "datum"});
 }
 
 /// Two curves that meet can have their common end elsewhere.
@@ -138,8 +139,8 @@ class Choice {
  private:
   void take(bool may_lose) {
     while (result_.size() < most_numbers && noticed_.size() < hidden_.size()) {
-      const auto best = std::max_element(
-          scores_.begin(), scores_.end(), [&](const Score& a, const Score& b) {
+      const auto best =
+          std::max_element(scores_.begin(), scores_.end(), [&](const Score& a, const Score& b) {
             return value_of(a, may_lose) < value_of(b, may_lose);
           });
       if (best == scores_.end() || value_of(*best, may_lose).first == 0) return;

@@ -43,14 +43,15 @@ SiteMutants mutants_of(const Site& site, std::size_t most,
     }
     Mutant mutant = mutant_of(error);
     if (mutant.fate == Fate::meaningless) continue;
+    // Most are noticed: what they would be compared with is of no use then.
+    if (mutant.fate != Fate::survives) mutant.change.comparison.clear();
     const Edit& edit = error.error.edit;
     mutant.place = {site.span.source, edit.begin, edit.end};
     result.mutants.push_back(std::move(mutant));
   }
-  std::stable_sort(result.mutants.begin(), result.mutants.end(),
-                   [](const Mutant& a, const Mutant& b) {
-                     return a.change.error.edit < b.change.error.edit;
-                   });
+  std::stable_sort(
+      result.mutants.begin(), result.mutants.end(),
+      [](const Mutant& a, const Mutant& b) { return a.change.error.edit < b.change.error.edit; });
   return result;
 }
 
@@ -77,6 +78,13 @@ bool CaseMutator::wants(const std::string& label) const {
   });
 }
 
+// A claim that is not as expected cannot notice anything in itself.
+bool CaseMutator::observes(const std::string& label) const {
+  return std::all_of(given_.claims.begin(), given_.claims.end(), [&](const Claim& claim) {
+    return claim.label != label || observers_.contains(name_of(claim));
+  });
+}
+
 bool CaseMutator::wants_everything() const {
   return std::all_of(given_.claims.begin(), given_.claims.end(), [&](const Claim& claim) {
     return !options_.wanted || options_.wanted(given_, claim);
@@ -87,7 +95,8 @@ void CaseMutator::look_at_claims(CaseMutation& result) {
   const std::optional<Case> read = text_.read({});
   if (!read) return;
   const auto all = [](const Claim&) { return true; };
-  for (const ClaimResult& claim : results_of(*read, all, [](const ClaimResult&) { return false; })) {
+  for (const ClaimResult& claim :
+       results_of(*read, all, [](const ClaimResult&) { return false; })) {
     const std::string name = name_of(claim.claim);
     if (claim.outcome == Outcome::as_expected)
       observers_.insert(name);
@@ -142,8 +151,8 @@ std::set<std::string> CaseMutator::holding(const std::vector<Edit>& edits) const
 std::vector<SiteMutants> CaseMutator::sites() const {
   std::vector<SiteMutants> result;
   for (const Site& site : sites_of(written_, text_.fresh_word())) {
-    const bool wanted = site.kind == Site::Kind::claim ? wants(site.name) : wants_everything();
-    if (!wanted) continue;
+    const bool is_claim = site.kind == Site::Kind::claim;
+    if (is_claim ? !wants(site.name) || !observes(site.name) : !wants_everything()) continue;
     result.push_back(mutants_of(site, options_.most, [&](const SiteError& error) {
       Mutant mutant{error, {}, fate(site, error), {}, {}, {}};
       if (mutant.fate == Fate::survives) explain(site.kind, mutant);
@@ -200,8 +209,8 @@ bool CaseMutator::differs(const SiteError& error, const std::vector<Edit>& edits
 
 void CaseMutator::explain(Site::Kind kind, Mutant& mutant) const {
   if (!mutant.change.comparison.empty()) return explain_by_comparison(kind, mutant);
-  const bool by_data = kind != Site::Kind::data && !general_.empty() &&
-                       is_noticed_in_general(mutant.change);
+  const bool by_data =
+      kind != Site::Kind::data && !general_.empty() && is_noticed_in_general(mutant.change);
   mutant.why = by_data ? Why::data : Why::independent;
   if (by_data) name_data(mutant);
 }
@@ -215,7 +224,8 @@ void CaseMutator::explain_by_comparison(Site::Kind kind, Mutant& mutant) const {
     mutant.why = Why::assumed;
   } else {
     const Decision here = compared(error, {});
-    const bool is_other = here.verdict == Verdict::refuted;
+    // Where the claims do not hold for symbols, these say nothing about what claims notice.
+    const bool is_other = here.verdict == Verdict::refuted || general_observers_ == observers_;
     if (kind != Site::Kind::claim && is_other && !is_noticed_in_general(error)) {
       mutant.why = Why::independent;
       mutant.differs_at = place_of(here, vocabulary_of(written_).parameters);

@@ -48,6 +48,7 @@ class CaseMutator {
   static Edit for_symbols(const Data& data);
 
  private:
+  bool observes(const std::string& label) const;
   Decision compared(const SiteError& error, std::vector<Edit> edits) const;
   std::set<std::string> holding(const std::vector<Edit>& edits) const;
   bool differs(const SiteError& error, const std::vector<Edit>& edits) const;

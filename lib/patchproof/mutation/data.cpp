@@ -49,7 +49,8 @@ void add_entry(const std::string& owner, const ExpressionPointer& entry, Data& d
     return;
   }
   for (std::size_t c = 0; c < entry->operands.size(); ++c)
-    data.numbers.push_back({owner, entry->span, entry->operands[c], entry->operands.size() - 1 - c});
+    data.numbers.push_back(
+        {owner, entry->span, entry->operands[c], entry->operands.size() - 1 - c});
 }
 
 std::vector<Rational> coordinates(const Expression& entry) {
@@ -79,9 +80,8 @@ bool add_matrix(const std::string& name, const Expression& value, Data& data) {
       if (!is_numeric(*entry) && !is_point(*entry)) return false;
       row.push_back(coordinates(*entry));
       if (row.back().size() != coordinates(first).size()) return false;
-      const std::string index = value.rows.size() == 1
-                                    ? std::to_string(j)
-                                    : std::to_string(i) + "," + std::to_string(j);
+      const std::string index =
+          value.rows.size() == 1 ? std::to_string(j) : std::to_string(i) + "," + std::to_string(j);
       add_entry(name + "[" + index + "]", entry, data);
     }
     net.push_back(std::move(row));

@@ -43,8 +43,8 @@ Rereading::Rereading(const syntax::File& file, const syntax::Case& kept, const L
 
 std::optional<Case> Rereading::read(std::vector<Edit> edits) const {
   std::sort(edits.begin(), edits.end());
-  const auto text = std::make_shared<const SourceText>(
-      SourceText{source_->name, changed(source_->text, edits)});
+  const auto text =
+      std::make_shared<const SourceText>(SourceText{source_->name, changed(source_->text, edits)});
   ReadFile file = read_cases(text, limits_, load_);
   if (!file.diagnostics.empty() || file.cases.size() != 1) return std::nullopt;
   Case read = std::move(file.cases.front());

@@ -104,16 +104,19 @@ std::vector<std::string> shape_of(const std::string& name, const NumericNet& net
   if (points.size() < 2) return result;
   const std::size_t dimension = points.front().size();
   const std::size_t span = rank(points);
-  if (span == 0) return {is_zero(points.front()) ? "all of " + name + " is zero"
-                                                 : "all entries of " + name + " are the same"};
+  if (span == 0)
+    return {is_zero(points.front()) ? "all of " + name + " is zero"
+                                    : "all entries of " + name + " are the same"};
   const std::string constant = constant_coordinates(points);
   const bool is_net = net.size() > 1 && net.front().size() > 1;
   if (span == 1 && dimension > 1) result.push_back("the points of " + name + " are on one line");
   if (span == 2 && dimension > 2)
     result.push_back("the points of " + name + " are in one plane" +
                      (constant.empty() ? "" : ": " + constant));
-  if (is_symmetric(net)) result.push_back(name + " is symmetric: " + name + "[i,j] = " + name + "[j,i]");
-  if (is_net && is_without_twist(net)) result.push_back(name + " has no twist: its cells are parallelograms");
+  if (is_symmetric(net))
+    result.push_back(name + " is symmetric: " + name + "[i,j] = " + name + "[j,i]");
+  if (is_net && is_without_twist(net))
+    result.push_back(name + " has no twist: its cells are parallelograms");
   const std::vector<std::string> zeros = zero_entries(name, net);
   if (!zeros.empty() && zeros.size() <= most_zeros) {
     std::string list;

@@ -112,13 +112,12 @@ class Parts {
   // The same declared again with the change, by another name, and that both are equal.
   std::string copy_of(const Statement& s, const Declarator& d, const Edit& edit) const {
     const Span head{d.name.span.source, d.name.span.end, d.value->span.begin};
-    const Span properties{d.name.span.source, s.declarators.back().value
-                                                  ? s.declarators.back().value->span.end
-                                                  : s.span.end,
-                          s.span.end};
-    return "\n  " + as_text(s.keyword) + " " + fresh_ + as_text(head) +
-           after(d.value->span, edit) + as_text(properties) + "\n  prove " + fresh_ + ": " +
-           d.name.text + " == " + fresh_ + "\n";
+    const Span properties{
+        d.name.span.source,
+        s.declarators.back().value ? s.declarators.back().value->span.end : s.span.end, s.span.end};
+    return "\n  " + as_text(s.keyword) + " " + fresh_ + as_text(head) + after(d.value->span, edit) +
+           as_text(properties) + "\n  prove " + fresh_ + ": " + d.name.text + " == " + fresh_ +
+           "\n";
   }
 
   void add_data(const Data& data) {
@@ -126,7 +125,8 @@ class Parts {
     Site& added = site(Site::Kind::data, data.name, declared_span(d));
     for (const Datum& datum : data.numbers) {
       const Edit edit = small_changes(data, datum).front();
-      const std::string words = datum.owner + ": " + as_text(datum.value->span) + " -> " + edit.text;
+      const std::string words =
+          datum.owner + ": " + as_text(datum.value->span) + " -> " + edit.text;
       added.errors.push_back({{edit, words}, "", 0});
     }
   }

@@ -32,7 +32,9 @@ class Walk {
 
   std::vector<TypicalError> errors(const Expression& e) {
     visit(e, Place::value);
-    const auto before = [](const TypicalError& a, const TypicalError& b) { return a.edit < b.edit; };
+    const auto before = [](const TypicalError& a, const TypicalError& b) {
+      return a.edit < b.edit;
+    };
     std::stable_sort(result_.begin(), result_.end(), before);
     const auto same = [](const TypicalError& a, const TypicalError& b) { return a.edit == b.edit; };
     result_.erase(std::unique(result_.begin(), result_.end(), same), result_.end());
@@ -100,8 +102,8 @@ class Walk {
     const std::string unprimed = e.text.substr(0, e.text.find('\''));
     const std::string primes = e.text.substr(unprimed.size());
     const std::size_t underscore = unprimed.rfind('_');
-    const bool is_whole = vocabulary_.names.contains(unprimed) || underscore == std::string::npos ||
-                          underscore == 0;
+    const bool is_whole =
+        vocabulary_.names.contains(unprimed) || underscore == std::string::npos || underscore == 0;
     const std::string base = is_whole ? unprimed : unprimed.substr(0, underscore);
     const std::string suffix = unprimed.substr(base.size());
     for (const std::string& other : vocabulary_.similar(base))
@@ -154,7 +156,8 @@ class Walk {
       if (e.operands.size() < 2 || place == Place::index) continue;
       if (k > 0)
         add(from, operand.end, "", "summand", words + " left out");
-      else if (const Token* next = sign_between(tokens, operand.end, e.operands[1]->span.begin, text))
+      else if (const Token* next =
+                   sign_between(tokens, operand.end, e.operands[1]->span.begin, text))
         // A minus stays: a - b becomes -b.
         add(sign == nullptr ? operand.begin : sign->begin,
             e.signs[1] == '+' ? next->end : next->begin, "", "summand", words + " left out");
@@ -173,8 +176,7 @@ class Walk {
       }
       // The numerator of 1/9 is changed with it.
       const bool is_numerator = operand.kind == Kind::number && k + 1 < e.operands.size() &&
-                                e.signs[k + 1] == '/' &&
-                                e.operands[k + 1]->kind == Kind::number;
+                                e.signs[k + 1] == '/' && e.operands[k + 1]->kind == Kind::number;
       if (is_numerator && operand.number == 1) continue;
       visit(operand, divides ? Place::divisor : place);
     }

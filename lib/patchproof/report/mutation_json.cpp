@@ -111,8 +111,10 @@ std::string json_of(const MutationReport& report) {
   document["cases"] = Json::array();
   for (const CaseMutation& of : report.cases) document["cases"].push_back(to_json(of));
   const MutationCount all = count_of(report);
-  document["summary"] = {{"changes", all.tried},        {"noticed", all.noticed},
-                         {"unnoticed", all.unnoticed},  {"same", all.same},
+  document["summary"] = {{"changes", all.tried},
+                         {"noticed", all.noticed},
+                         {"unnoticed", all.unnoticed},
+                         {"same", all.same},
                          {"undecided", all.undecided}};
   add_mistakes(report.files, document);
   document["exit"] = static_cast<int>(exit_code(report));

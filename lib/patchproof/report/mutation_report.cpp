@@ -105,8 +105,7 @@ std::string paragraph(const CaseMutation& of, const SiteMutants& site, bool verb
   std::string text = place_of(site.span) + ": " + id_of(of, site) + ": " +
                      std::to_string(count.unnoticed) + " of " +
                      counted(count.tried, "change", "changes") + " not noticed";
-  if (site.left_out > 0)
-    text += " (" + std::to_string(site.left_out) + " more not tried)";
+  if (site.left_out > 0) text += " (" + std::to_string(site.left_out) + " more not tried)";
   text += "\n" + excerpt_of(site.span);
   if (site.kind == Site::Kind::data && count.undecided == 0 && count.internal == 0)
     return text + data_line(site) + "\n";
@@ -138,11 +137,11 @@ std::string data_paragraph(const CaseMutation& of) {
 std::string claims_paragraph(const CaseMutation& of) {
   std::string text;
   if (!of.wrong.empty())
-    text += of.name + ": not as expected without any change, so of no use here: " +
-            joined(of.wrong) + "\n";
+    text += of.name +
+            ": not as expected without any change, so of no use here: " + joined(of.wrong) + "\n";
   if (!of.undecided.empty())
-    text += of.name + ": not decided within the limits, so of no use here: " +
-            joined(of.undecided) + "\n";
+    text += of.name +
+            ": not decided within the limits, so of no use here: " + joined(of.undecided) + "\n";
   return text.empty() ? "" : text + "\n";
 }
 
