@@ -4,6 +4,7 @@
 #include <verify/files.hpp>
 #include <verify/output.hpp>
 #include <verify/paths.hpp>
+#include <verify/progress.hpp>
 #include <verify/selection.hpp>
 
 #include <memory>
@@ -48,6 +49,15 @@ void mutate(const CaseFile& file, const MutationOptions& options, MutationReport
     report.cases.push_back(std::move(mutation));
 }
 
+void mutate_with_progress(const std::vector<CaseFile>& files, MutationOptions options,
+                          MutationReport& report) {
+  std::size_t cases = 0;
+  for (const CaseFile& file : files) cases += file.cases.size();
+  Progress progress{cases};
+  options.progress = [&](const Case& of) { progress.next(of.name); };
+  for (const CaseFile& file : files) mutate(file, options, report);
+}
+
 void say_what_is_empty(const FoundPaths& paths, const Selection& selection,
                        const std::vector<CaseFile>& files) {
   for (const std::string& folder : paths.empty_folders)
@@ -68,7 +78,7 @@ ExitCode run(const MutateArguments& arguments) {
   if (!output.good()) return ExitCode::unreadable;
   MutationReport report;
   report.verbose = arguments.check.verbose;
-  for (const CaseFile& file : files) mutate(file, options, report);
+  mutate_with_progress(files, options, report);
   print_error(mistakes(Report{report.files, false}));
   say_what_is_empty(paths, selection, files);
   const ExitCode code = exit_code(report);

@@ -35,7 +35,7 @@ TEST_CASE("mutate shows what goes unnoticed, why, and what would show it; it end
         "  <stdin>:5:16: sign of x: says the same for the numbers of x\n"
         "\n"
         "hidden: the data hide 2 changes\n"
-        "  = try: with x = 1 in place of 0: then 2 of 2 are noticed, with other numbers in value\n"
+        "  = try: with x = 1 in place of 0: then 2 of 2 are noticed, but these have to be put right: value\n"
         "\n"
         "7 changes in 1 case: 5 noticed, 2 not noticed\n");
 }

@@ -91,7 +91,7 @@ std::vector<Candidate> numbers(const CaseMutator& of, const std::vector<const Mu
 struct Score {
   const Candidate* candidate = nullptr;
   std::set<const Mutant*> noticed;
-  /// Claims that speak of numbers that are others then.
+  /// Claims that are false then, because they speak of other numbers.
   std::vector<std::string> lost;
 };
 

@@ -98,6 +98,7 @@ std::vector<CaseMutation> mutations_of(const syntax::File& file, const std::vect
     }
     CaseMutation& mutation = result.emplace_back();
     mutation.name = given->name;
+    if (options.progress) options.progress(*given);
     of.look_at_claims(mutation);
     mutation.sites = of.sites();
   }

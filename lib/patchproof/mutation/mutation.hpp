@@ -54,7 +54,7 @@ struct BetterData {
   /// How many of the errors that the data hide are noticed then; of several changes one after the
   /// other, with those before.
   std::size_t noticed = 0;
-  /// Claims that speak of numbers that are others then.
+  /// Claims that are false then, because they speak of other numbers.
   std::vector<std::string> other_values;
 };
 
@@ -83,6 +83,8 @@ struct MutationOptions {
   /// Claims for which this is false are left alone; declarations and definitions are looked at
   /// only where all claims of the case are wanted. Empty: all.
   std::function<bool(const Case&, const Claim&)> wanted;
+  /// Called before a case is looked at.
+  std::function<void(const Case&)> progress;
 };
 
 /// Puts typical errors into the claims, declarations and definitions of a file, one at a time, and

@@ -206,12 +206,19 @@ class Walk {
       if (a.value && is_call) transposed(*a.value);
       const auto* interval = a.binder ? &a.binder->interval : a.interval ? &*a.interval : nullptr;
       if (interval != nullptr) {
+        const std::string around = context_;
+        if (a.binder) context_ = a.binder->name.text + " in " + ends_of(*interval);
         visit(*interval->first, Place::index);
         visit(*interval->last, Place::index);
+        context_ = around;
       }
     }
     exchanged(e);
     context_ = outer;
+  }
+
+  static std::string ends_of(const syntax::Interval& interval) {
+    return text_of(interval.first->span) + ".." + text_of(interval.last->span);
   }
 
   void transposed(const Expression& e) {

@@ -127,7 +127,7 @@ std::string data_paragraph(const CaseMutation& of) {
             std::to_string(better.noticed) + " of " + std::to_string(of.hidden) +
             (better.noticed == 1 ? " is noticed" : " are noticed");
     if (!better.other_values.empty())
-      text += ", with other numbers in " + joined(better.other_values);
+      text += ", but these have to be put right: " + joined(better.other_values);
     text += "\n";
   }
   if (of.better.empty()) text += "  = no change of one number was found that shows them\n";
