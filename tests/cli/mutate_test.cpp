@@ -31,8 +31,8 @@ TEST_CASE("mutate shows what goes unnoticed, why, and what would show it; it end
         "<stdin>:5:14: hidden.sum: 2 of 7 changes not noticed\n"
         "     5 |   prove sum: y - x == 1\n"
         "       |              ^^^^^^^^^^\n"
-        "  <stdin>:5:15: x left out: says the same for the numbers of x\n"
-        "  <stdin>:5:16: sign of x: says the same for the numbers of x\n"
+        "  <stdin>:5:15: x left out: says the same for these data: x\n"
+        "  <stdin>:5:16: sign of x: says the same for these data: x\n"
         "\n"
         "hidden: the data hide 2 changes\n"
         "  = try: with x = 1 in place of 0: then 2 of 2 are noticed, but these have to be put right: value\n"
@@ -62,7 +62,7 @@ TEST_CASE("data no claim depends on are listed, with symbols for them") {
   const Ended ended =
       mutate("case free\n  let x = 7\n  prove square: (x + 1)^2 == x^2 + 2*x + 1\nend\n");
   CHECK(ended.code == 1);
-  CHECK(ended.output.find("free: no claim notices other numbers in these data\n"
+  CHECK(ended.output.find("free: no claim notices changes of these data\n"
                           "  <stdin>:2:7: x = 7\n"
                           "  = try: all claims hold for symbols as well: scalar x\n") !=
         std::string::npos);

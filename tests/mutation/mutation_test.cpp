@@ -116,6 +116,20 @@ TEST_CASE("one changed number that leaves the claims true is found") {
   CHECK(small.better[0].other_values.empty());
 }
 
+TEST_CASE("curves that have to meet get another corner together") {
+  const CaseMutation of = mutations_in_case(
+      "  param u, v in [0, 1]\n  curve C1(u) = (u, 0)\n  curve C2(u) = (u, 1)\n"
+      "  curve D1(v) = (0, v)\n  curve D2(v) = (1, v)\n"
+      "  patch P(u,v) = (1-v)*C1(u) + v*C2(u) + (1-u)*D1(v) + u*D2(v)\n"
+      "    - (1-u)*(1-v)*C1(0) - u*(1-v)*C1(1) - (1-u)*v*C2(0) - u*v*C2(1)\n"
+      "  prove edges: P(u,0) == C1(u), P(u,1) == C2(u), P(0,v) == D1(v), P(1,v) == D2(v)\n");
+  CHECK(contains(words(part(of, "P"), Fate::survives, Why::data), "(1-u)*(1-v)*C1(0) left out"));
+  REQUIRE(!of.better.empty());
+  CHECK(of.better[0].words ==
+        "C1 = (u, 1-u) in place of (u, 0) and D1 = (0, v + 1-v) in place of (0, v)");
+  CHECK(of.better[0].other_values.empty());
+}
+
 TEST_CASE("what is not decided within the limits counts as neither") {
   MutationOptions options;
   options.limits.terms = 10;

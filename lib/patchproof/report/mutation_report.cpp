@@ -35,7 +35,7 @@ std::string reason_of(const Mutant& mutant) {
     case Why::assumed:
       return ": says the same under the assumptions";
     case Why::data:
-      return ": says the same for the numbers of " + joined(mutant.data);
+      return ": says the same for these data: " + joined(mutant.data);
     case Why::independent:
       return ": no claim notices it" +
              (mutant.differs_at.empty() ? "" : "; differs at " + printable(mutant.differs_at));
@@ -87,7 +87,7 @@ std::string free_data(const CaseMutation& of) {
   }
   if (text.empty()) return "";
   if (!symbols.empty()) symbols = "  = try: all claims hold for symbols as well: " + symbols + "\n";
-  return of.name + ": no claim notices other numbers in these data\n" + text + symbols + "\n";
+  return of.name + ": no claim notices changes of these data\n" + text + symbols + "\n";
 }
 
 // A declaration that is another one where no claim looks.
