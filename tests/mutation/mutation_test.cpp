@@ -65,6 +65,11 @@ TEST_CASE("what says the same is told apart from what nobody notices") {
   CHECK(words(part(assumed, "sum"), Fate::survives, Why::assumed) == Texts{"a1 -> a2", "a1 -> a2"});
 }
 
+TEST_CASE("the same on both sides is no error that data could show") {
+  const CaseMutation of = mutations_in_case("  let a1 = 2\n  let a2 = 2\n  prove same: a1 == a2\n");
+  CHECK(part(of, "same").mutants.empty());
+}
+
 TEST_CASE("a declaration that no claim looks at differs somewhere, and where is said") {
   const CaseMutation of = mutations_in_case(
       "  param u, v in [0, 1]\n  curve C1(u), C2(u)\n  patch r(u,v) = ruled(C1, C2)\n"

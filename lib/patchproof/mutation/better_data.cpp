@@ -36,7 +36,7 @@ Score score_of(const CaseMutator& of, const DataCandidate& candidate,
   for (const auto& [name, finding] : before)
     if (!finding.empty()) result.lost.push_back(name);
   if (before.size() != of.observers().size()) return {};
-  if (candidate.is_function && !result.lost.empty()) return {};
+  if (candidate.moves_ends && !result.lost.empty()) return {};
   for (const Mutant* mutant : hidden)
     if (notices(before, of.findings(candidate.edits, *mutant))) result.noticed.insert(mutant);
   return result;

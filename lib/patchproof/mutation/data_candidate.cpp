@@ -68,7 +68,7 @@ DataCandidate both(const DataCandidate& a, const DataCandidate& b) {
   DataCandidate result = a;
   result.numbers.insert(result.numbers.end(), b.numbers.begin(), b.numbers.end());
   result.edits.insert(result.edits.end(), b.edits.begin(), b.edits.end());
-  result.is_function = a.is_function || b.is_function;
+  result.moves_ends = a.moves_ends || b.moves_ends;
   return result;
 }
 
@@ -80,7 +80,9 @@ std::vector<DataCandidate> data_candidates(const std::vector<const Data*>& hidin
       for (const Data* data : hiding)
         for (const Datum& datum : data->numbers)
           if (datum.from_last == coordinate)
-            result.push_back({{datum}, {small_changes(*data, datum)[change]}, data->is_function});
+            // The first change of a function vanishes at its ends.
+            result.push_back(
+                {{datum}, {small_changes(*data, datum)[change]}, data->is_function && change > 0});
   for (std::size_t k = 0; k < all.size(); ++k)
     for (std::size_t l = k + 1; l < all.size(); ++l) add_corners(all[k], all[l], result);
   return result;

@@ -11,8 +11,9 @@ namespace patchproof {
 struct DataCandidate {
   std::vector<Datum> numbers;
   std::vector<Edit> edits;
-  /// Curves that no longer meet would only make claims false.
-  bool is_function = false;
+  /// Whether it moves ends of curves or edges of patches: if these no longer meet, claims are false
+  /// that speak of no number.
+  bool moves_ends = false;
 };
 
 /// "V[1,1] = (1, 1, 1) in place of (1, 1, 0)": the entries that a candidate changes, with all that

@@ -22,6 +22,12 @@ std::string after(const Span& part, const Edit& edit) {
   return changed(as_text(part), {inside});
 }
 
+// Without blanks.
+std::string packed(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\n' || c == '\t'; });
+  return text;
+}
+
 // " using V11 for i in 0..3"
 std::string clauses_of(const Statement& s, const std::string& derived) {
   std::string result;
@@ -61,9 +67,20 @@ class Parts {
     if (sites_.back().errors.empty()) sites_.pop_back();
   }
 
-  void add_operand(const ExpressionPointer& e, bool on_boundary, const Statement& s,
+  // With the same on both sides a statement says nothing, and no data could show that.
+  static bool is_trivial(const syntax::Comparison& c, const ExpressionPointer& e,
+                         const Edit& edit) {
+    const std::string text = packed(after(e->span, edit));
+    return std::any_of(c.operands.begin(), c.operands.end(), [&](const ExpressionPointer& other) {
+      return other != e && packed(as_text(other->span)) == text;
+    });
+  }
+
+  void add_operand(const ExpressionPointer& e, const syntax::Comparison* in, const Statement& s,
                    const std::string& derived, Site& site) {
+    const bool on_boundary = in != nullptr && in->on_boundary;
     for (TypicalError& error : typical_errors(e, vocabulary_)) {
+      if (in != nullptr && is_trivial(*in, e, error.edit)) continue;
       const std::string comparison =
           "\n  prove " + fresh_ + ": (" + as_text(e->span) + ") == (" + after(e->span, error.edit) +
           ")" + (on_boundary ? " on boundary" : "") + clauses_of(s, derived) + "\n";
@@ -78,7 +95,7 @@ class Parts {
       const bool is_equation = std::all_of(c.operators.begin(), c.operators.end(),
                                            [](const std::string& sign) { return sign == "=="; });
       if (!is_equation) continue;
-      for (const ExpressionPointer& e : c.operands) add_operand(e, c.on_boundary, s, "", added);
+      for (const ExpressionPointer& e : c.operands) add_operand(e, &c, s, "", added);
     }
     drop_empty();
   }
@@ -88,8 +105,8 @@ class Parts {
     for (const syntax::Comparison& c : s.proposition.comparisons)
       for (const ExpressionPointer& e : c.operands)
         for (TypicalError& error : typical_errors(e, vocabulary_))
-          added.errors.push_back({std::move(error), "", 0});
-    for (const ExpressionPointer& e : s.gives) add_operand(e, false, s, s.label->text, added);
+          if (!is_trivial(c, e, error.edit)) added.errors.push_back({std::move(error), "", 0});
+    for (const ExpressionPointer& e : s.gives) add_operand(e, nullptr, s, s.label->text, added);
     drop_empty();
   }
 

@@ -130,7 +130,7 @@ std::string data_paragraph(const CaseMutation& of) {
       text += ", but these have to be put right: " + joined(better.other_values);
     text += "\n";
   }
-  if (of.better.empty()) text += "  = no change of one number was found that shows them\n";
+  if (of.better.empty()) text += "  = no small change of the data was found that shows them\n";
   return text + "\n";
 }
 
