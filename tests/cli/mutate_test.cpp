@@ -47,6 +47,17 @@ TEST_CASE("where every change is noticed mutate ends with 0") {
   CHECK(ended.output.find('\n') == ended.output.size() - 1);
 }
 
+TEST_CASE("of very many changes in one part the first are listed") {
+  // A square that is false whatever is changed in it.
+  std::string sum = "0";
+  for (int k = 0; k < 20; ++k) sum += " + x^" + std::to_string(k);
+  const std::string text =
+      "case many\n  scalar x\n  let s = " + sum + "\n  refute zero: s == x^100\nend\n";
+  const Ended ended = mutate(text);
+  CHECK(ended.output.find("  and 23 more, which --verbose lists\n") != std::string::npos);
+  CHECK(mutate(text, {"-v"}).output.find("more, which --verbose lists") == std::string::npos);
+}
+
 TEST_CASE("what says the same is counted, and listed by --verbose only") {
   const std::string same =
       "case same\n  point P, Q in R^2\n  prove dots: dot(P, Q) == -dot(P, -Q)\nend\n";
@@ -75,6 +86,15 @@ TEST_CASE("claims that are not decided within the limits are no use, and mutate 
   const Ended ended = mutate(text);
   CHECK(ended.code == 2);
   CHECK(ended.output.find("much: not decided within the limits, so of no use here: power\n") == 0);
+}
+
+TEST_CASE("a change that is not decided within the limits is not counted as noticed") {
+  const Ended ended = mutate(
+      "case near\n  scalar a, b\n  limit terms 20\n"
+      "  prove power: (a + b)^9 == (a + b)^8*(a + b)\nend\n");
+  CHECK(ended.code == 2);
+  CHECK(ended.output.find("  <stdin>:4:24: 9 -> 10: not decided within the limits\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("claims that are wrong without any change are named, and mutate ends with 1") {

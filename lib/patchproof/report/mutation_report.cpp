@@ -13,6 +13,9 @@ namespace {
 
 using Why = Mutant::Why;
 
+/// Whoever has read so many has seen enough of one part.
+constexpr std::size_t most_lines = 15;
+
 bool says_the_same(const Mutant& mutant) {
   return mutant.fate == Fate::survives && (mutant.why == Why::same || mutant.why == Why::assumed);
 }
@@ -109,10 +112,15 @@ std::string paragraph(const CaseMutation& of, const SiteMutants& site, bool verb
   text += "\n" + excerpt_of(site.span);
   if (site.kind == Site::Kind::data && count.undecided == 0 && count.internal == 0)
     return text + data_line(site) + "\n";
-  for (const Mutant& mutant : site.mutants)
-    if (is_listed(mutant, verbose))
-      text += "  " + place_of(mutant.place) + ": " + printable(mutant.change.error.words) +
-              reason_of(mutant) + "\n";
+  std::size_t listed = 0;
+  for (const Mutant& mutant : site.mutants) {
+    if (!is_listed(mutant, verbose)) continue;
+    if (++listed > most_lines && !verbose) continue;
+    text += "  " + place_of(mutant.place) + ": " + printable(mutant.change.error.words) +
+            reason_of(mutant) + "\n";
+  }
+  if (listed > most_lines && !verbose)
+    text += "  and " + std::to_string(listed - most_lines) + " more, which --verbose lists\n";
   return text + place_line(site) + "\n";
 }
 
