@@ -10,6 +10,7 @@ namespace patchproof {
 /// while the command line is parsed, and `result` says how it ended.
 void add_check(CLI::App& program, ExitCode& result);
 void add_repair(CLI::App& program, ExitCode& result);
+void add_mutate(CLI::App& program, ExitCode& result);
 void add_draw(CLI::App& program, ExitCode& result);
 void add_format(CLI::App& program, ExitCode& result);
 void add_latex(CLI::App& program, ExitCode& result);

@@ -48,6 +48,7 @@ int run(int argument_count, char* arguments[]) {
   ExitCode result = ExitCode::internal;
   add_check(program, result);
   add_repair(program, result);
+  add_mutate(program, result);
   add_draw(program, result);
   add_format(program, result);
   add_latex(program, result);

@@ -14,9 +14,9 @@ constexpr std::string_view library = "lib/patchproof/";
 /// How high each folder of the library is; a file beside the folders is above them all.
 const std::map<std::string, int, std::less<>>& layers() {
   static const std::map<std::string, int, std::less<>> heights{
-      {"version.hpp", 0}, {"algebra", 1}, {"term", 2},     {"kernel", 3}, {"symbolic", 3},
-      {"decide", 4},      {"claims", 5},  {"language", 6}, {"repair", 7},
-      {"derivation", 8},  {"figure", 9},  {"latex", 10},  {"report", 11}, {"patchproof.hpp", 12}};
+      {"version.hpp", 0}, {"algebra", 1}, {"term", 2},     {"kernel", 3},  {"symbolic", 3},
+      {"decide", 4},      {"claims", 5},  {"language", 6}, {"repair", 7},  {"mutation", 8},
+      {"derivation", 9},  {"figure", 10}, {"latex", 11},   {"report", 12}, {"patchproof.hpp", 13}};
   return heights;
 }
 

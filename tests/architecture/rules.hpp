@@ -14,7 +14,8 @@ using Tree = std::vector<SourceFile>;
 using Breaches = std::vector<std::string>;
 
 /// Includes in lib/ go down the layers and never up:
-/// algebra < term < kernel, symbolic < decide < claims < language < repair, figure < report < patchproof.hpp,
+/// algebra < term < kernel, symbolic < decide < claims < language < repair < mutation < derivation <
+/// figure < latex < report < patchproof.hpp,
 /// where kernel and symbolic, repair and figure do not know each other. They are written <patchproof/layer/file.hpp>.
 Breaches upward_includes(const Tree& tree);
 
