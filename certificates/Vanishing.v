@@ -1,5 +1,5 @@
 (* Is an expression zero, or never zero, given that others are different from zero? *)
-Require Import QArith Qreals Lra.
+Require Import QArith Qreals Lra micromega.EnvRing.
 Require Import PatchProof.Definitions PatchProof.Terms PatchProof.Polynomials
   PatchProof.Expressions.
 Require Import PatchProof.Normal PatchProof.Fractions.

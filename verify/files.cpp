@@ -82,9 +82,19 @@ bool print(const std::string& text) {
 // When even this fails there is nobody left to tell.
 void print_error(const std::string& text) { static_cast<void>(write_all(STDERR_FILENO, text)); }
 
+namespace {
+
+std::string new_file(const std::string& path, const std::string& text) {
+  const Descriptor file{::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)};
+  return file.value() < 0 ? system_words() : write_all(file.value(), text);
+}
+
+}  // namespace
+
 std::string replace_file(const std::string& path, const std::string& text) {
   std::error_code error;
   const std::filesystem::path target = std::filesystem::canonical(path, error);
+  if (error == std::errc::no_such_file_or_directory) return new_file(path, text);
   if (error) return error.message();
   struct stat about {};
   if (::stat(target.c_str(), &about) != 0) return system_words();
