@@ -13,7 +13,7 @@ build         := cmake --build -j $(shell nproc) --preset
 run_tests     := ctest -j $(shell nproc) --preset
 
 .PHONY: help verify program test test-release test-sanitize test-clang test-fuzz \
-        packages test-packages with-tests claims golden format clean
+        packages test-packages with-tests claims certified golden format clean
 .DEFAULT_GOAL := help
 # One step after the other under any -j; the steps themselves use all processors.
 .NOTPARALLEL:
@@ -23,6 +23,7 @@ help:
 	@echo 'make test     run every test: plain, with sanitizers, with clang, and a short fuzz run'
 	@echo 'make program  only build $(program)'
 	@echo 'make claims   write docs/claims.md anew: every item of the notes with its verdicts'
+	@echo 'make certified  certify every claim of cases/ with coqc; write the table of docs/trust.md anew'
 	@echo 'make golden   write the golden documents of tests/golden anew, to be read before they are kept'
 	@echo 'make format   format the sources'
 	@echo 'make clean    delete build/'
@@ -70,6 +71,11 @@ with-tests: build/release/build.ninja
 claims: test-packages with-tests
 	@$(build) release
 	@PATCHPROOF_WRITE_CLAIMS=1 build/release/tests/unit_tests '[#docs/claims]'
+
+certified: test-packages with-tests
+	@$(build) release
+	@PATCHPROOF_WRITE_CERTIFIED=1 build/release/tests/unit_tests '[#docs/certified]'
+	@$(program) certify cases -o build/certificates --check
 
 golden: test-packages with-tests
 	@$(build) release

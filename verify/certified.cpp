@@ -86,7 +86,8 @@ std::string write_checked(const std::string& folder, const CheckedFolder& checke
   return problem.empty() ? "" : "cannot write '" + path + "': " + problem;
 }
 
-std::string raise_evidence(const std::string& folder, Report& report) {
+std::string evidence_raised(const std::string& folder, Report& report) {
+  if (folder.empty()) return "";
   const std::string path = (std::filesystem::path{folder} / record_name).string();
   const FileText text = file_text(path);
   if (!text.text) return "cannot read '" + path + "': " + text.problem;

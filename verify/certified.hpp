@@ -42,8 +42,9 @@ std::string write_checked(const std::string& folder, const CheckedFolder& checke
 
 /// Raises the evidence of the claims in the report for which the folder holds a checked certificate
 /// of what the case says now: the file is written anew and has to be the one that was checked.
+/// Nothing happens without a folder; claims of cases of which only some were decided keep theirs.
 /// @returns what is wrong with the folder; "" when all is well.
-std::string raise_evidence(const std::string& folder, Report& report);
+std::string evidence_raised(const std::string& folder, Report& report);
 
 /// "coqc 8.16.1, axioms: a, b"
 std::string check_in_words(const std::string& coqc, const std::vector<std::string>& axioms);

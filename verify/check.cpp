@@ -1,5 +1,6 @@
 // patchproof check: reads case files, decides their claims, writes the report.
 #include <unistd.h>
+#include <verify/certified.hpp>
 #include <verify/check_options.hpp>
 #include <verify/commands.hpp>
 #include <verify/files.hpp>
@@ -90,9 +91,14 @@ ExitCode run(const CheckArguments& arguments) {
   const std::size_t claims = count_of(selection, all_cases(files));
   // A list is what is left when nothing is decided.
   if (arguments.list) options.wanted = [](const Case&, const Claim&) { return false; };
-  const Report report = decided_with_progress(files, options, claims);
+  Report report = decided_with_progress(files, options, claims);
   print_error(mistakes(report));
   ExitCode code = exit_code(report);
+  if (const std::string problem = evidence_raised(arguments.certificates, report);
+      !problem.empty()) {
+    print_error("patchproof: " + problem + "\n");
+    code = graver(code, ExitCode::unreadable);
+  }
   if (arguments.list && code == ExitCode::nothing_ran && claims > 0) code = ExitCode::as_expected;
   say_what_is_empty(paths, selection, files, code);
   const bool well =

@@ -65,6 +65,9 @@ void declare(CLI::App& command, CheckArguments& a) {
   option("--format", a.format, "text (usual) or json", "FORMAT")
       ->check(CLI::IsMember(format_names()));
   option("--output", a.output, "Write the report to a file", "FILE");
+  option("--certificates", a.certificates,
+         "Folder of 'patchproof certify --check': what is still as it was checked there is certified",
+         "DIR");
   command.add_flag("--strict", a.strict, "Claims that hold only under conditions are not enough");
   command.add_flag("--audit", a.audit,
                    "Also say which claims need which assumptions; one that nothing needs is a "

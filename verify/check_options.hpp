@@ -14,6 +14,7 @@ struct CheckArguments {
   std::vector<std::string> only;
   std::string format = "text";
   std::string output;
+  std::string certificates;
   std::string colour = "auto";
   std::string engines = "both";
   std::string seconds;

@@ -1,6 +1,7 @@
 // patchproof latex: derivations as LaTeX, and what of it is stale.
 #include <sys/stat.h>
 #include <unistd.h>
+#include <verify/certified.hpp>
 #include <verify/check_options.hpp>
 #include <verify/commands.hpp>
 #include <verify/files.hpp>
@@ -193,6 +194,11 @@ ExitCode run(const LatexArguments& arguments) {
       progress.next(claim_id(of, claim));
     };
     report = decided(files, check);
+    if (const std::string problem = evidence_raised(arguments.check.certificates, report);
+        !problem.empty()) {
+      print_error("patchproof: " + problem + "\n");
+      return ExitCode::unreadable;
+    }
     pages = pages_of(report, check, options);
   }
   print_error(mistakes(report));
@@ -220,6 +226,9 @@ void declare(CLI::App& command, LatexArguments& a) {
          "may be given several times",
          "GLOB")
       ->allow_extra_args(false);
+  option("--certificates", a.check.certificates,
+         "Folder of 'patchproof certify --check': what is still as it was checked there is certified",
+         "DIR");
   option("--lang", a.language, "Language of the words: en (usual), cs, sk, sl or ru", "CODE");
   option("--detail", a.detail,
          "1: statements and results, 2 (usual): the steps a book prints, 3: all definitions and "

@@ -61,6 +61,24 @@ const std::map<unsigned, SymbolPointer>& RocqText::free_symbols(
   return free_in_functions_.emplace(function.get(), std::move(result)).first->second;
 }
 
+// fun u v => (fun u v => …) u v is the function inside.
+const ScalarFunction& RocqText::without_application(const ScalarFunction& function) {
+  const Scalar& body = *function.body;
+  const bool applied = body.kind == Kind::application &&
+                       body.function->kind == ScalarFunction::Kind::lambda &&
+                       body.children.size() == function.formals.size();
+  if (!applied) return function;
+  const Symbols& inside = free_symbols(body.function);
+  for (std::size_t k = 0; k < body.children.size(); ++k) {
+    const Scalar& argument = *body.children[k];
+    const unsigned formal = function.formals[k]->ordinal;
+    if (argument.kind != Kind::variable || argument.coordinate.symbol->ordinal != formal ||
+        inside.contains(formal))
+      return function;
+  }
+  return without_application(*body.function);
+}
+
 std::string RocqText::variable(const Coordinate& coordinate) const {
   const auto bound = bound_.find(coordinate.symbol->ordinal);
   return bound == bound_.end() ? names_.text(coordinate) : bound->second;
@@ -204,9 +222,10 @@ std::string RocqText::named(const std::string& name, std::size_t component, cons
   std::string body;
   if (function && function->kind == ScalarFunction::Kind::lambda) {
     std::string formals;
-    for (const std::string& formal : enter(function->formals, symbols)) formals += " " + formal;
+    const ScalarFunction& inner = without_application(*function);
+    for (const std::string& formal : enter(inner.formals, symbols)) formals += " " + formal;
     head += " (" + formals.substr(1) + " : R)";
-    body = expression(function->body, 100);
+    body = expression(inner.body, 100);
   } else {
     body = function ? function_text(function) : expression(value, 100);
     if (function)
@@ -219,10 +238,13 @@ std::string RocqText::named(const std::string& name, std::size_t component, cons
   bound_ = outside;
   if (!function || function->kind == ScalarFunction::Kind::lambda) head += " : R";
   // A name of its own for each component, and for another meaning of the same name.
-  const std::string own =
-      names_.fresh(component == 0 ? name : name + "_" + std::to_string(component));
-  definitions_.push_back("Definition " + own + head + " :=\n  " + body + ".");
-  return defined_.emplace(key, own + arguments).first->second;
+  const std::string wanted = component == 0 ? name : name + "_" + std::to_string(component);
+  const auto [known, is_new] = meanings_.try_emplace(wanted + head + " :=\n  " + body + ".");
+  if (is_new) {
+    known->second = names_.fresh(wanted);
+    definitions_.push_back("Definition " + known->second + known->first.substr(wanted.size()));
+  }
+  return defined_.emplace(key, known->second + arguments).first->second;
 }
 
 }  // namespace patchproof

@@ -38,6 +38,7 @@ class RocqText {
   std::string named(const std::string& name, std::size_t component, const void* key,
                     const Symbols& symbols, const ScalarPointer& value,
                     const ScalarFunctionPointer& function);
+  const ScalarFunction& without_application(const ScalarFunction& function);
   bool depends_on_bound(const Symbols& symbols) const;
   std::string variable(const Coordinate& coordinate) const;
   /// The formals get names that mean nothing else inside.
@@ -47,6 +48,8 @@ class RocqText {
   /// Bound variables in scope.
   std::map<unsigned, std::string> bound_;
   std::vector<std::string> definitions_;
+  /// The text of a definition after its name -> the name it got.
+  std::map<std::string, std::string> meanings_;
   /// What was defined -> "r V C1".
   std::unordered_map<const void*, std::string> defined_;
   std::unordered_map<const Scalar*, Symbols> free_;

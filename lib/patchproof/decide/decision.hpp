@@ -50,8 +50,7 @@ struct WitnessReport {
 struct Decision {
   Verdict verdict = Verdict::unknown;
   Evidence evidence = Evidence::none;
-  /// Certified: by what, "coqc 8.16.1, axioms: …". Otherwise, where a certificate was asked for, why
-  /// there is none, or that it was not checked; else "".
+  /// Certified: by what, "coqc 8.16.1, axioms: …"; else "".
   std::string certificate;
   /// Unknown, error, internal: why. Inconsistent: the equation that cannot hold. Refuted: what is
   /// known beyond the witness, where an inequality is nowhere false but for its strictness.

@@ -135,8 +135,9 @@ std::string verdict_text(const ClaimResult& result, const Wording& wording) {
   if (needs_frame(decision.verdict)) {
     text += frame_text(result, wording);
   } else {
-    const Word evidence =
-        decision.evidence == Evidence::both_engines ? Word::both_engines : Word::kernel_only;
+    const Word evidence = decision.evidence == Evidence::certified      ? Word::certified
+                          : decision.evidence == Evidence::both_engines ? Word::both_engines
+                                                                        : Word::kernel_only;
     text += "\\ppverdict{" + colour_of(decision.verdict) + "}{" +
             wording(word_of(decision.verdict)) + "}{" + wording(evidence) + "}\n";
   }

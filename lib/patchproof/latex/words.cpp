@@ -168,6 +168,8 @@ const std::vector<Entry>& table() {
        {"both engines", "oba výpočetní systémy", "oba výpočtové systémy", "oba računska sistema",
         "обе системы"}},
       {kernel_only, {"kernel only", "jen jádro", "len jadro", "samo jedro", "только ядро"}},
+      {certified, {"certified by Rocq", "ověřeno v Rocq", "overené v Rocq", "overjeno z Rocqom",
+                   "проверено в Rocq"}},
   };
   return entries;
 }

@@ -101,7 +101,8 @@ enum class Word {
   internal,
   both_engines,
   kernel_only,
-  last = kernel_only,
+  certified,
+  last = certified,
 };
 
 /// How many words there are.

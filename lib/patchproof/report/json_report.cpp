@@ -31,6 +31,7 @@ Json to_json(const Case& of, const ClaimResult& result) {
   object["as_expected"] = result.outcome == Outcome::as_expected;
   object["outcome"] = to_text(result.outcome);
   object["evidence"] = to_text(decision.evidence);
+  object["certificate"] = text_or_null(decision.certificate);
   object["reason"] = text_or_null(decision.reason);
   object["conditions"] = decision.conditions;
   object["witness"] = witness_of(decision);

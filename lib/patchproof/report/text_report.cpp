@@ -109,6 +109,7 @@ class TextReport {
     const Decision& decision = result.decision;
     text_ += "      " + std::to_string(result.time.count() / 1000) + " ms";
     if (decision.evidence != Evidence::none) text_ += ", " + to_text(decision.evidence);
+    if (!decision.certificate.empty()) text_ += " (" + decision.certificate + ")";
     std::string used;
     for (const std::string& label : decision.assumptions_used)
       used += (used.empty() ? ", using " : ", ") + label;
