@@ -6,7 +6,7 @@ packages      := g++ cmake ninja-build pkg-config libginac-dev libcln-dev libboo
 tex_packages  := texlive-luatex texlive-latex-recommended texlive-pictures latexmk fonts-cmu \
                  texlive-lang-czechslovak texlive-lang-european texlive-lang-cyrillic \
                  poppler-utils librsvg2-bin
-test_packages := catch2 clang-14 libclang-rt-14-dev $(tex_packages)
+test_packages := catch2 clang-14 libclang-rt-14-dev python3-sympy $(tex_packages)
 program       := build/release/bin/patchproof
 build         := cmake --build -j $(shell nproc) --preset
 run_tests     := ctest -j $(shell nproc) --preset
