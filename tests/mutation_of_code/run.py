@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""Runs the tests against faults in the library, one at a time.
+
+run.py [--portion 2/5] [--first N] from the top folder. The faults are those of mutants.txt; they are
+put into a copy of the last commit in build/mutants, never into the sources. Results are added to
+build/mutants/results.txt, and what stands there is not run again:
+
+    killed by …, survived, does not compile, or gone (the line is no longer there)
+"""
+
+import argparse
+import pathlib
+import subprocess
+import sys
+import time
+
+HERE = pathlib.Path(__file__).parent
+FOLDER = pathlib.Path("build/mutants")
+TREE = FOLDER / "tree"
+BUILD = TREE / "build/release"
+RESULTS = FOLDER / "results.txt"
+LONGEST = 900
+
+# What is run first for a fault in a folder; then what comes below it, then the cases.
+NEXT = {"algebra": ["algebra", "kernel", "decide"], "kernel": ["kernel", "decide"],
+        "symbolic": ["symbolic", "decide"], "decide": ["decide"], "claims": ["claims", "decide"],
+        "language": ["language", "decide"], "prelude": []}
+
+
+def run(*command, **more):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          check=False, **more)
+
+
+def fails(*command):
+    """Whether a command fails; what takes too long fails too."""
+    try:
+        return run(*command, timeout=LONGEST).returncode != 0
+    except subprocess.TimeoutExpired:
+        return True
+
+
+def prepare():
+    if not TREE.exists():
+        TREE.mkdir(parents=True)
+        subprocess.run(f"git archive HEAD | tar -x -C {TREE}", shell=True, check=True)
+        subprocess.run(["cmake", "--preset", "release", "-DBUILD_TESTING=ON"], cwd=TREE, check=True,
+                       stdout=subprocess.DEVNULL)
+    if not build():
+        sys.exit("the library without faults does not compile")
+
+
+def build():
+    return run("cmake", "--build", str(BUILD), "-j1", "--target", "patchproof_program",
+               "unit_tests").returncode == 0
+
+
+def tests_of(folder):
+    files = sorted((TREE / "tests" / folder).glob("*_test.cpp"))
+    return ",".join(f"[#{folder}/{file.name.removesuffix('_test.cpp')}]" for file in files)
+
+
+def verdict(folder):
+    if not build():
+        return "does not compile"
+    tests = str(BUILD / "tests/unit_tests")
+    for tested in NEXT[folder]:
+        if fails(tests, "--abort", tests_of(tested)):
+            return f"killed by tests/{tested}"
+    if fails("env", "PATCHPROOF_CLAIMS=150", tests, "--abort", "[#differential/differential]"):
+        return "killed by tests/differential"
+    engines = "both" if folder == "symbolic" else "kernel"
+    if fails(str(BUILD / "bin/patchproof"), "check", "--quiet", "--engines", engines,
+             str(TREE / "cases")):
+        return "killed by cases"
+    return "survived"
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument("--portion", default="1/1")
+    options.add_argument("--first", type=int, default=10**6)
+    given = options.parse_args()
+    part, parts = (int(number) for number in given.portion.split("/"))
+    table = [line.split("\t") for line in (HERE / "mutants.txt").read_text().splitlines()]
+    prepare()
+    done = set()
+    if RESULTS.exists():
+        done = {tuple(line.split("\t")[2:]) for line in RESULTS.read_text().splitlines()}
+    left = [mutant for i, mutant in enumerate(table)
+            if i % parts == part - 1 and tuple(mutant) not in done]
+    for path, code, instead in left[:given.first]:
+        file = TREE / path
+        text = file.read_text(encoding="utf-8")
+        lines = text.split("\n")
+        places = [i for i, line in enumerate(lines) if line.split("  //")[0].strip() == code]
+        start = time.monotonic()
+        if len(places) != 1:
+            found = "gone"
+        else:
+            lines[places[0]] = lines[places[0]].replace(code, instead)
+            file.write_text("\n".join(lines), encoding="utf-8")
+            try:
+                found = verdict(pathlib.Path(path).parent.name)
+            finally:
+                file.write_text(text, encoding="utf-8")
+        seconds = round(time.monotonic() - start)
+        with RESULTS.open("a", encoding="utf-8") as results:
+            results.write("\t".join([found, f"{seconds} s", path, code, instead]) + "\n")
+
+
+main()
