@@ -125,11 +125,29 @@ Value hermite_matrix(const Value& p, const Value& pu, const Value& pv) {
   return g;
 }
 
+/// The net of the boundary points of b: sums of the two linear interpolations, less that of
+/// corners.
+Value discrete_coons(const Value& b) {
+  Value result{b.rows, b.columns, {}};
+  const std::size_t m = b.rows - 1, n = b.columns - 1;
+  for (std::size_t i = 0; i <= m; ++i)
+    for (std::size_t j = 0; j <= n; ++j) {
+      const Value s = value_of_number(Rational(i, m)), t = value_of_number(Rational(j, n));
+      const Value lofted = plus(between(entry(b, 0, j), entry(b, m, j), s),
+                                between(entry(b, i, 0), entry(b, i, n), t));
+      const Value corners = between(between(entry(b, 0, 0), entry(b, m, 0), s),
+                                    between(entry(b, 0, n), entry(b, m, n), s), t);
+      result.entries.push_back(plus(lofted, minus(corners)).entries[0]);
+    }
+  return result;
+}
+
 Value at(const Function& function, const Value& parameter) {
   return applied(function, {parameter});
 }
 
-Value coons_value(const std::vector<Given>& given) {
+/// The Coons patch blended with 1 - f, f in u and 1 - g, g in v.
+Value coons_value(const std::vector<Given>& given, const Value& f, const Value& g) {
   const Function& south = given.at(0).function;
   const Function& north = given.at(1).function;
   const Function& west = given.at(2).function;
@@ -138,9 +156,9 @@ Value coons_value(const std::vector<Given>& given) {
   const Value& v = second_parameter;
   const Value zero = value_of_number(0);
   const Value lofted =
-      plus(between(at(south, u), at(north, u), v), between(at(west, v), at(east, v), u));
-  const Value corners = between(between(at(south, zero), at(south, one), u),
-                                between(at(north, zero), at(north, one), u), v);
+      plus(between(at(south, u), at(north, u), g), between(at(west, v), at(east, v), f));
+  const Value corners = between(between(at(south, zero), at(south, one), f),
+                                between(at(north, zero), at(north, one), f), g);
   return plus(lofted, minus(corners));
 }
 
@@ -171,7 +189,9 @@ Function construction(const std::string& name, const std::vector<Given>& given) 
     return {2, between(at(given.at(0).function, u), at(given.at(1).function, u),
                        divided(plus(v, minus(a)), length))};
   }
-  if (name == "coons") return {2, coons_value(given)};
+  if (name == "coons") return {2, coons_value(given, u, v)};
+  if (name == "partially_bicubic_coons")
+    return {2, coons_value(given, built_in("smooth_step", {u}), built_in("smooth_step", {v}))};
   if (name == "translation_surface")
     return {2, plus(at(given.at(0).function, u), at(given.at(1).function, v))};
   if (name == "hermite_loft")
@@ -200,6 +220,9 @@ Value built_in(const std::string& name, const std::vector<Value>& given) {
     for (std::size_t k = 0; k < i; ++k) count = count * (n - k) / (k + 1);
     return value_of_number(Rational{count});
   }
+  if (name == "smooth_step")
+    return bezier_at({value_of_number(0), value_of_number(0), one, one}, first);
+  if (name == "discrete_coons") return discrete_coons(first);
   if (name == "dot") return times(transposed(first), given.at(1));
   if (name == "cross") {
     const Value& b = given.at(1);

@@ -23,13 +23,42 @@ std::size_t index_meaning(const Node& node, const Environment& environment) {
 /// The parameter in which a curve is written that a construction takes in this place.
 std::string parameter_of_argument(const std::string& construction, std::size_t index) {
   if (construction == "ruled_in_u") return "v";
-  if (construction == "coons" && index >= 2) return "v";
+  if (construction.find("coons") != std::string::npos && index >= 2) return "v";
   if (construction == "translation_surface" && index == 1) return "v";
   return "u";
 }
 
+PlainSpline spline_meaning(const Node& node, const Environment& environment) {
+  if (node->kind == Kind::name) return environment.splines.at(node->text);
+  PlainSpline spline = spline_meaning(node->operands[0], environment);
+  if (node->text == "elevate_degree") return spline;
+  // A knot more cuts the piece it lies in.
+  const Rational knot = number_meaning(node->operands[1]->text);
+  for (std::size_t k = 0; k < spline.pieces.size(); ++k) {
+    const Rational length = spline.breaks[k + 1] - spline.breaks[k];
+    const Rational cut = (knot - spline.breaks[k]) / length;
+    if (cut <= 0 || cut >= 1) continue;
+    const Function whole = spline.pieces[k];
+    const auto part = [&](const Rational& from, const Rational& to) {
+      const Value t = plus(value_of_number(from),
+                           times(value_of_number(to - from), value_of_variable(formal(0))));
+      return Function{1, applied(whole, {t})};
+    };
+    spline.pieces[k] = part(0, cut);
+    const auto next = static_cast<std::ptrdiff_t>(k + 1);
+    spline.pieces.insert(spline.pieces.begin() + next, part(cut, 1));
+    spline.breaks.insert(spline.breaks.begin() + next, knot);
+    return spline;
+  }
+  throw std::logic_error{"no new knot"};
+}
+
 Function function_of_call(const Node& node, const Environment& environment) {
-  const bool of_functions = node->text == "coons" || node->text.rfind("ruled", 0) == 0 ||
+  if (node->text == "segment")
+    return spline_meaning(node->operands[0], environment)
+        .pieces.at(index_meaning(node->operands[1], environment));
+  const bool of_functions = node->text.find("coons") != std::string::npos ||
+                            node->text.rfind("ruled", 0) == 0 ||
                             node->text == "translation_surface" || node->text == "hermite_loft";
   std::vector<Given> given;
   for (std::size_t i = 0; i < node->operands.size(); ++i) {

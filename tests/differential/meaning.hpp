@@ -47,11 +47,18 @@ Value applied(const Function& function, const std::vector<Value>& arguments);
 /// The name of a formal parameter, the first is "$1".
 std::string formal(std::size_t index);
 
+/// A piecewise polynomial: piece k over [breaks[k], breaks[k+1]] in a local parameter from 0 to 1.
+struct PlainSpline {
+  std::vector<Rational> breaks;
+  std::vector<Function> pieces;
+};
+
 /// What names stand for: nets, matrices, points of R^3, names that an assumption gives a value,
 /// functions. Every other name is a variable.
 struct Environment {
   std::map<std::string, Value> values;
   std::map<std::string, Function> functions;
+  std::map<std::string, PlainSpline> splines = {};
 };
 
 /// What an expression is worth, by rules of its own: the third opinion besides the two engines.

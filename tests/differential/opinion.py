@@ -191,9 +191,76 @@ def translation_surface(c, d):
     return Function(c(S) + d(T), 2)
 
 
+def curve(given, name):
+    """A function, or an expression in one parameter."""
+    return given if isinstance(given, Function) else defined((name,), given)
+
+
 def coons(south, north, west, east):
+    south, north = curve(south, "u"), curve(north, "u")
+    west, east = curve(west, "v"), curve(east, "v")
     corners = bilinear(south(Integer(0)), south(Integer(1)), north(Integer(0)), north(Integer(1)))
     return Function(ruled(south, north).body + ruled_in_u(west, east).body - corners.body, 2)
+
+
+def partially_bicubic_coons(*boundary):
+    """Where the boundary is written in blended parameters, this is the Coons patch of it."""
+    c1, c2, d1, d2 = boundary
+    f, g = 3 * S**2 - 2 * S**3, 3 * T**2 - 2 * T**3
+    corners = bilinear(c1(Integer(0)), c1(Integer(1)), c2(Integer(0)), c2(Integer(1)))
+    return Function((1 - g) * c1(S) + g * c2(S) + (1 - f) * d1(T) + f * d2(T) - corners(f, g), 2)
+
+
+def discrete_coons(b):
+    """The Bézier net of the Coons patch of the boundary: its coefficients, one direction first."""
+    m, n = len(b.rows) - 1, len(b.rows[0]) - 1
+    body = bezier(b).body
+    patch = coons(body.subs(T, 0).subs(S, Symbol("u")), body.subs(T, 1).subs(S, Symbol("u")),
+                  body.subs(S, 0).subs(T, Symbol("v")), body.subs(S, 1).subs(T, Symbol("v"))).body
+    in_u = coefficients(patch, m)
+    return Matrix([coefficients(x.subs(T, S), n) for x in in_u])
+
+
+def bspline(points, degree, knots):
+    """The pieces of a B-spline curve, by the recursion of Cox and de Boor."""
+    def basis(i, p, span, x):
+        if p == 0:
+            return Integer(1 if i == span else 0)
+        total = Integer(0)
+        for j, sign in ((i, 1), (i + 1, -1)):
+            length = knots[j + p] - knots[j]
+            if length != 0:
+                start = x - knots[j] if sign == 1 else knots[j + p] - x
+                total += start / length * basis(j, p - 1, span, x)
+        return total
+
+    pieces = []
+    for span in range(degree, len(knots) - degree - 1):
+        if knots[span] == knots[span + 1]:
+            continue
+        x = knots[span] + S * (knots[span + 1] - knots[span])
+        pieces.append((knots[span], knots[span + 1], expand(
+            sum(points[i] * basis(i, degree, span, x) for i in range(len(points.rows))))))
+    return pieces
+
+
+def insert_knot(pieces, knot):
+    cut = []
+    for low, high, body in pieces:
+        if low < knot < high:
+            s = (knot - low) / (high - low)
+            cut += [(low, knot, body.subs(S, s * S)), (knot, high, body.subs(S, s + (1 - s) * S))]
+        else:
+            cut.append((low, high, body))
+    return cut
+
+
+def elevate_degree(pieces):
+    return pieces
+
+
+def segment(pieces, k):
+    return Function(pieces[int(k)][2], 1)
 
 
 def cubic(p, q, m, n, t):

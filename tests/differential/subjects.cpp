@@ -18,6 +18,8 @@ const std::vector<Subject>& subjects() {
       {"ruled", ruled_example},
       {"hermite", hermite_example},
       {"bicubic", bicubic_example},
+      {"discrete coons", discrete_coons_example},
+      {"spline", spline_example},
       {"inequality", inequality_example},
       {"bernstein bound", bernstein_bound_example},
       {"derive", derive_example},

@@ -19,6 +19,8 @@ Example bezier_patch_example(Choices& choices, const std::string& name, bool hol
 Example coons_example(Choices& choices, const std::string& name, bool holds);
 Example ruled_example(Choices& choices, const std::string& name, bool holds);
 Example hermite_example(Choices& choices, const std::string& name, bool holds);
+Example discrete_coons_example(Choices& choices, const std::string& name, bool holds);
+Example spline_example(Choices& choices, const std::string& name, bool holds);
 Example bicubic_example(Choices& choices, const std::string& name, bool holds);
 
 Example inequality_example(Choices& choices, const std::string& name, bool holds);

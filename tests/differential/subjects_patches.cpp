@@ -67,6 +67,23 @@ Draft square_draft() {
 Example coons_example(Choices& choices, const std::string& name, bool holds) {
   Draft draft = square_draft();
   declare_curves(draft, {"C1", "C2"}, {"D1", "D2"});
+  const std::vector<Node> boundary{function_name("C1"), function_name("C2"), function_name("D1"),
+                                   function_name("D2")};
+  if (choices.once_in(3)) {
+    // Blended with 3t^2 - 2t^3 and what is left to 1.
+    const auto step = [](const Node& t) {
+      return product({power(t, 2), difference(number(3), product({number(2), t}))});
+    };
+    const Node f = step(u), g = step(v);
+    DeclaredFunction blended{"r", {"u", "v"}, Type::point, 2, {}};
+    const Node of_corners = between(between(at("C1", zero), at("C1", one), f),
+                                    between(at("C2", zero), at("C2", one), f), g);
+    blended.alternatives = {
+        {"", sum({between(at("C1", u), at("C2", u), g), between(at("D1", v), at("D2", v), f),
+                  negative(of_corners)})}};
+    declare_defined(draft, blended, call("partially_bicubic_coons", boundary, Type::function));
+    return about_last(choices, name, draft, holds);
+  }
   const Node corners = between(between(at("C1", zero), at("C1", one), u),
                                between(at("C2", zero), at("C2", one), u), v);
   const Node across_v = between(at("C1", u), at("C2", u), v);

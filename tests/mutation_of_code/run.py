@@ -2,7 +2,8 @@
 """Runs the tests against faults in the library, one at a time.
 
 run.py [--portion 2/5] [--first N] from the top folder. The faults are those of mutants.txt; they are
-put into a copy of the last commit in build/mutants, never into the sources. Results are added to
+put into a copy of the last commit in build/mutants, never into the sources. The tests are those of
+build/release, which has to be built; they are only linked again. Results are added to
 build/mutants/results.txt, and what stands there is not run again:
 
     killed by …, survived, does not compile, or gone (the line is no longer there)
@@ -18,6 +19,7 @@ HERE = pathlib.Path(__file__).parent
 FOLDER = pathlib.Path("build/mutants")
 TREE = FOLDER / "tree"
 BUILD = TREE / "build/release"
+TESTED = pathlib.Path("build/release")
 RESULTS = FOLDER / "results.txt"
 LONGEST = 900
 
@@ -44,15 +46,20 @@ def prepare():
     if not TREE.exists():
         TREE.mkdir(parents=True)
         subprocess.run(f"git archive HEAD | tar -x -C {TREE}", shell=True, check=True)
-        subprocess.run(["cmake", "--preset", "release", "-DBUILD_TESTING=ON"], cwd=TREE, check=True,
+        subprocess.run(["cmake", "--preset", "release", "-DBUILD_TESTING=OFF"], cwd=TREE, check=True,
                        stdout=subprocess.DEVNULL)
     if not build():
         sys.exit("the library without faults does not compile")
 
 
 def build():
-    return run("cmake", "--build", str(BUILD), "-j1", "--target", "patchproof_program",
-               "unit_tests").returncode == 0
+    if run("cmake", "--build", str(BUILD), "-j1", "--target", "patchproof_program").returncode != 0:
+        return False
+    link = run("ninja", "-C", str(TESTED), "-t", "commands", "tests/unit_tests").stdout.splitlines()
+    here = BUILD.absolute()
+    command = link[-1].replace("libpatchproof.a", f"{here}/libpatchproof.a")
+    command = command.replace("-o tests/unit_tests", f"-o {here}/unit_tests")
+    return run("sh", "-c", command, cwd=TESTED).returncode == 0
 
 
 def tests_of(folder):
@@ -63,7 +70,7 @@ def tests_of(folder):
 def verdict(folder):
     if not build():
         return "does not compile"
-    tests = str(BUILD / "tests/unit_tests")
+    tests = str(BUILD / "unit_tests")
     for tested in NEXT[folder]:
         if fails(tests, "--abort", tests_of(tested)):
             return f"killed by tests/{tested}"
