@@ -150,9 +150,10 @@ inline std::string changed_by_tokens(const std::string& text, std::uint64_t seed
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t longest);
 
-/// Every fourth time by bytes, otherwise by tokens.
-extern "C" inline std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
-                                                      std::size_t longest, unsigned int seed) {
+/// Every fourth time by bytes, otherwise by tokens. Not inline: libFuzzer looks for it by its name,
+/// and a target is one file.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t longest, unsigned int seed) {
   if (seed % 4 == 0) return LLVMFuzzerMutate(data, size, longest);
   const std::string text(reinterpret_cast<const char*>(data), size);
   const std::string changed = patchproof::fuzz::changed_by_tokens(text, seed);

@@ -11,6 +11,7 @@ build/mutants/results.txt, and what stands there is not run again:
 
 import argparse
 import pathlib
+import random
 import subprocess
 import sys
 import time
@@ -42,12 +43,21 @@ def fails(*command):
         return True
 
 
+def committed(file):
+    return subprocess.run(["git", "show", f"HEAD:{file.relative_to(TREE)}"], check=True,
+                          capture_output=True).stdout
+
+
 def prepare():
     if not TREE.exists():
         TREE.mkdir(parents=True)
         subprocess.run(f"git archive HEAD | tar -x -C {TREE}", shell=True, check=True)
         subprocess.run(["cmake", "--preset", "release", "-DBUILD_TESTING=OFF"], cwd=TREE, check=True,
                        stdout=subprocess.DEVNULL)
+    # What a run that was ended left behind.
+    for file in (TREE / "lib").rglob("*"):
+        if file.is_file() and file.read_bytes() != (kept := committed(file)):
+            file.write_bytes(kept)
     if not build():
         sys.exit("the library without faults does not compile")
 
@@ -67,6 +77,10 @@ def tests_of(folder):
     return ",".join(f"[#{folder}/{file.name.removesuffix('_test.cpp')}]" for file in files)
 
 
+def size(cases):
+    return sum(file.stat().st_size for file in cases.rglob("*.proof"))
+
+
 def verdict(folder):
     if not build():
         return "does not compile"
@@ -77,9 +91,10 @@ def verdict(folder):
     if fails("env", "PATCHPROOF_CLAIMS=150", tests, "--abort", "[#differential/differential]"):
         return "killed by tests/differential"
     engines = "both" if folder == "symbolic" else "kernel"
-    if fails(str(BUILD / "bin/patchproof"), "check", "--quiet", "--engines", engines,
-             str(TREE / "cases")):
-        return "killed by cases"
+    for cases in sorted((path for path in (TREE / "cases").iterdir() if path.is_dir()), key=size):
+        if fails(str(BUILD / "bin/patchproof"), "check", "--quiet", "--engines", engines,
+                 str(cases)):
+            return f"killed by cases/{cases.name}"
     return "survived"
 
 
@@ -96,6 +111,8 @@ def main():
         done = {tuple(line.split("\t")[2:]) for line in RESULTS.read_text().splitlines()}
     left = [mutant for i, mutant in enumerate(table)
             if i % parts == part - 1 and tuple(mutant) not in done]
+    # All folders by turns, so that a run that is ended early says something about each.
+    random.Random(1).shuffle(left)
     for path, code, instead in left[:given.first]:
         file = TREE / path
         text = file.read_text(encoding="utf-8")
