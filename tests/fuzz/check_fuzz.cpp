@@ -21,7 +21,7 @@ CheckOptions small_budget() {
   options.limits.time = std::chrono::milliseconds{0};
   options.limits.memory = 0;
   options.limits.terms = 2'000;
-  options.limits.steps = 200'000;
+  options.limits.steps = 50'000;
   return options;
 }
 
