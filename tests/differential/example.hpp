@@ -22,6 +22,8 @@ struct Example {
   std::string python_right = "";
   /// What `meaning` says of it; the same as `holds` where it is not asked.
   bool meaning_holds = true;
+  /// It holds only under conditions.
+  bool conditional = false;
 };
 
 /// The whole case, with the verb that expects the truth.

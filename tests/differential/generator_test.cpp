@@ -4,6 +4,7 @@
 #include "opinion.hpp"
 #include "rewriting.hpp"
 #include "shrinking.hpp"
+#include "subjects.hpp"
 
 namespace patchproof::differential {
 namespace {
@@ -34,15 +35,16 @@ const Node missed = sum({scalar_name("a"), scalar_name("u"), number("1/100000000
 
 TEST_CASE("a seed gives the same case on every machine") {
   Choices choices{61};
-  const Example example = random_example(choices);
-  CHECK(case_of(example) ==
-        "case random\n"
-        "  param u, v in [0, 1]\n"
-        "  scalar a, b, c\n"
-        "  point P, Q\n"
-        "  assume different: a != b\n"
-        "  refute p: ((3 + a)*(a + 4))/(2 - u*v) == ((a + ((1 - a) + a*4))*(3 + a))/(2 - u*v)\n"
-        "end\n");
+  const Example example = quotient_example(choices, "quotient", false);
+  CHECK(
+      case_of(example) ==
+      "case random\n"
+      "  param u, v in [0, 1]\n"
+      "  scalar a, b, c\n"
+      "  point P, Q\n"
+      "  assume different: a != b\n"
+      "  refute p: (1/2)*(2*(v/(a - b))) == (((c*v + 1) - c*v) + (1/3)*(3*(-a))) + a*(v/(a - b))\n"
+      "end\n");
 }
 
 TEST_CASE("decisions that were made give the same case again, none a case too") {

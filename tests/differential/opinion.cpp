@@ -17,7 +17,8 @@ std::string fault_of(const Example& example, const Decision& both, const Decisio
   if (both.verdict == Verdict::internal) return "the engines disagree";
   if (both.verdict != kernel.verdict) return "the second engine changes the verdict";
   if (both.verdict == Verdict::unknown) return "";
-  const Verdict expected = example.holds ? Verdict::proved : Verdict::refuted;
+  const Verdict truth = example.conditional ? Verdict::proved_if : Verdict::proved;
+  const Verdict expected = example.holds ? truth : Verdict::refuted;
   if (both.verdict == expected) return "";
   return std::string{example.holds ? "a true claim" : "a near miss"} + " is " +
          to_text(both.verdict);

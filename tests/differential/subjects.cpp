@@ -23,6 +23,8 @@ const std::vector<Subject>& subjects() {
       {"inequality", inequality_example},
       {"bernstein bound", bernstein_bound_example},
       {"derive", derive_example},
+      {"condition", condition_example},
+      {"linear inequality", linear_inequality_example},
   };
   return all;
 }

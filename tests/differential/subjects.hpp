@@ -25,6 +25,8 @@ Example bicubic_example(Choices& choices, const std::string& name, bool holds);
 
 Example inequality_example(Choices& choices, const std::string& name, bool holds);
 Example bernstein_bound_example(Choices& choices, const std::string& name, bool holds);
+Example condition_example(Choices& choices, const std::string& name, bool holds);
+Example linear_inequality_example(Choices& choices, const std::string& name, bool holds);
 Example derive_example(Choices& choices, const std::string& name, bool holds);
 
 }  // namespace patchproof::differential
