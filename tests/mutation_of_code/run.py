@@ -12,6 +12,7 @@ build/mutants/results.txt, and what stands there is not run again:
 import argparse
 import pathlib
 import random
+import resource
 import subprocess
 import sys
 import time
@@ -22,7 +23,8 @@ TREE = FOLDER / "tree"
 BUILD = TREE / "build/release"
 TESTED = pathlib.Path("build/release")
 RESULTS = FOLDER / "results.txt"
-LONGEST = 900
+# Seconds of a processor for one command: a fault may well make a loop endless.
+LONGEST = 60
 
 # What is run first for a fault in a folder; then what comes below it, then the cases.
 NEXT = {"algebra": ["algebra", "kernel", "claims", "decide"], "kernel": ["kernel", "claims", "decide"],
@@ -38,10 +40,8 @@ def run(*command, **more):
 
 def fails(*command):
     """Whether a command fails; what takes too long fails too."""
-    try:
-        return run(*command, timeout=LONGEST).returncode != 0
-    except subprocess.TimeoutExpired:
-        return True
+    limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST))
+    return run(*command, preexec_fn=limit).returncode != 0
 
 
 def committed(file):
