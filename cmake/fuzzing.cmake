@@ -18,6 +18,7 @@ foreach(source IN LISTS fuzz_sources)
   endif()
 
   add_executable(${target} ${source})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${target} PRIVATE patchproof)
   target_link_options(${target} PRIVATE -fsanitize=fuzzer)
   use_project_warnings(${target})
@@ -26,7 +27,7 @@ foreach(source IN LISTS fuzz_sources)
   file(MAKE_DIRECTORY ${findings}/corpus)
   # New inputs are written to the first folder; the seeds are only read.
   add_test(NAME fuzz/${name} COMMAND ${target}
-    -max_total_time=${seconds} -timeout=20 -rss_limit_mb=4096 -artifact_prefix=${findings}/
+    -max_total_time=${seconds} -timeout=60 -rss_limit_mb=4096 -artifact_prefix=${findings}/
     ${findings}/corpus ${corpus})
   math(EXPR longest "${seconds} + 120")
   set_tests_properties(fuzz/${name} PROPERTIES

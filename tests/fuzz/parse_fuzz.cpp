@@ -2,8 +2,6 @@
 // without mistakes, formatting keeps its meaning and is done after once.
 
 #include <cstdint>
-#include <cstdlib>
-#include <iostream>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -12,15 +10,12 @@
 #include <patchproof/language/dump.hpp>
 #include <patchproof/language/formatter.hpp>
 #include <patchproof/language/parser.hpp>
+#include <tests/fuzz/law.hpp>
 
 namespace {
 
 using namespace patchproof;
-
-[[noreturn]] void violated(const std::string& law, const std::string& text) {
-  std::cerr << "violated: " << law << "\n" << text << "\n";
-  std::abort();
-}
+using fuzz::violated;
 
 /// The syntax tree without positions, as lines.
 std::string meaning_of(const syntax::File& file) {

@@ -216,6 +216,17 @@ end
 )~");
 }
 
+TEST_CASE("cases without names are mistakes, each by itself", "[language][reject]") {
+  CHECK(reading_messages("case +\nend\ncase -\nend\n") ==
+        R"~(bad.proof:1:6: error: expected a name for the case, found '+'
+     1 | case +
+       |      ^
+bad.proof:3:6: error: expected a name for the case, found '-'
+     3 | case -
+       |      ^
+)~");
+}
+
 TEST_CASE("the instances of a family have one set of mistakes", "[language][reject]") {
   CHECK(reading_messages(R"~(case a
   family i in 0..3, j in 3..2

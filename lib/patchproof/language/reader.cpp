@@ -102,7 +102,8 @@ ReadFile read_cases(std::shared_ptr<const SourceText> source, const Limits& limi
   std::map<std::string, Span> names;
   for (const syntax::Case& written : parsed.file.cases) {
     const auto [place, fresh] = names.emplace(written.name.text, written.name.span);
-    if (!fresh) {
+    // A case without a name is a mistake by itself, and has no place.
+    if (!fresh && !written.name.text.empty()) {
       const Position at = position_of(*place->second.source, place->second.begin);
       result.diagnostics.push_back({written.name.span,
                                     "case '" + written.name.text + "' occurs twice (first on line " +
