@@ -1,8 +1,8 @@
 #include <patchproof/certificate/rocq_proof.hpp>
 
 #include <algorithm>
-#include <map>
 
+#include <patchproof/certificate/rocq_log.hpp>
 #include <patchproof/certificate/scalar_nodes.hpp>
 #include <patchproof/certificate/sequents.hpp>
 
@@ -16,24 +16,11 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bet
   return result;
 }
 
-std::string listed(const std::vector<std::string>& parts) {
-  return parts.empty() ? "[]" : "[" + joined(parts, ";\n      ") + "]";
-}
-
 // A proof of P1 /\ (P2 /\ … True).
 std::string conjunction(const std::vector<std::string>& proofs) {
   std::string result = "I";
   for (std::size_t k = proofs.size(); k-- > 0;) result = "(conj " + proofs[k] + " " + result + ")";
   return result;
-}
-
-std::string bracketed(const std::string& text) {
-  return text.find(' ') == std::string::npos || text.front() == '(' ? text : "(" + text + ")";
-}
-
-std::string rational(const Rational& q) {
-  return "(" + boost::multiprecision::numerator(q).str() + " # " +
-         boost::multiprecision::denominator(q).str() + ")";
 }
 
 constexpr const char* computed = "vm_cast_no_check (eq_refl true)";
@@ -42,14 +29,16 @@ class ProofWriter {
  public:
   ProofWriter(const SequentProof& proof, RocqSequent& sequent, Scalars& scalars, RocqNames& names,
               RocqText& text)
-      : proof_{proof}, sequent_{sequent}, scalars_{scalars}, names_{names}, text_{text} {}
+      : proof_{proof},
+        sequent_{sequent},
+        scalars_{scalars},
+        names_{names},
+        instances_{proof, sequent, scalars, text, twin_} {}
 
   std::string written() {
-    find_instances();
     add_facts();
     for (std::size_t k = 0; k < proof_.not_zero.size(); ++k) add_not_zero(k);
     add_reasons();
-    std::string parts;
     const std::vector<std::string> components = component_proofs();
     std::string body;
     if (components.size() == 1)
@@ -74,9 +63,9 @@ class ProofWriter {
     }
     std::vector<std::string> variables;
     for (const Coordinate& variable : twin_.variables()) variables.push_back(names_.text(variable));
-    result += "  pose (Phi := " + listed(functions) + " : list (list R -> R)).\n";
-    result += "  pose (sigma := " + listed(variables) + " : list R).\n";
-    result += instances_text_;
+    result += "  pose (Phi := " + rocq_list(functions) + " : list (list R -> R)).\n";
+    result += "  pose (sigma := " + rocq_list(variables) + " : list R).\n";
+    result += instances_.script();
     std::vector<std::string> smoothness;
     std::vector<std::string> smooth_proofs;
     for (const Coordinate& function : twin_.functions()) {
@@ -86,19 +75,19 @@ class ProofWriter {
                                   : "Smooth 0 0");
       smooth_proofs.push_back(smooth ? smoothness_name(function) : "I");
     }
-    result += "  pose (smoothness := " + listed(smoothness) + " : list (nat * nat)).\n";
+    result += "  pose (smoothness := " + rocq_list(smoothness) + " : list (nat * nat)).\n";
     result += "  assert (HypSmooth : smooth_all smoothness Phi) by exact " +
               conjunction(smooth_proofs) + ".\n";
     std::vector<std::string> equations;
     std::vector<std::string> equation_proofs;
-    for (const auto& [pair, proof] : hypotheses_) {
+    for (const auto& [pair, proof] : instances_.equations()) {
       equations.push_back(pair);
       equation_proofs.push_back(proof);
     }
-    result += "  pose (hypotheses := " + listed(equations) + " : list (term * term)).\n";
+    result += "  pose (hypotheses := " + rocq_list(equations) + " : list (term * term)).\n";
     result += "  assert (HypEqual : all_equal Phi sigma hypotheses) by exact " +
               conjunction(equation_proofs) + ".\n";
-    result += "  pose (facts := " + listed(facts_) + " : list (term * bool)).\n";
+    result += "  pose (facts := " + rocq_list(facts_) + " : list (term * bool)).\n";
     result += "  assert (HypFacts : all_signs Phi sigma facts) by exact " +
               conjunction(fact_proofs_) + ".\n";
     return result;
@@ -127,80 +116,6 @@ class ProofWriter {
       number += symbol->type.component_count();
     }
     throw NotScalar{"a function that is not assumed to be smooth"};
-  }
-
-  using Key = std::pair<std::size_t, std::vector<std::string>>;
-
-  // Each hypothesis at each place once; a hypothesis of the theorem for each component used.
-  std::size_t instance(const Instance& instance) {
-    for (const int order : instance.orders)
-      if (order > 0) throw NotScalar{"hypotheses that are differentiated"};
-    const Statement& statement = sequent_.sequent().hypotheses[instance.hypothesis].statement;
-    const std::vector<SymbolPointer> parameters = parameters_of(statement);
-    Key key{instance.hypothesis, {}};
-    std::vector<std::string> twins;
-    for (const Term& at : instance.at) {
-      key.second.push_back(text_.of(scalars_.of(at).front()));
-      twins.push_back(twin_.of(scalars_.of(at).front()));
-    }
-    const auto [found, is_new] = instances_.try_emplace(key, instances_.size() + 1);
-    const std::string name = "HypAt" + std::to_string(found->second);
-    if (is_new) {
-      std::string call = sequent_.hypothesis_name(instance.hypothesis);
-      for (const std::string& at : key.second) call += " " + bracketed(at);
-      instances_text_ += "  pose proof (" + call + ") as " + name + ".\n";
-      std::size_t premises = 0;
-      for (const SymbolPointer& parameter : parameters)
-        for (const ParameterRange& range : sequent_.sequent().ranges)
-          premises += range.parameter->ordinal == parameter->ordinal ? 1U : 0U;
-      for (std::size_t k = 0; k < premises; ++k)
-        instances_text_ += "  specialize (" + name + " ltac:(in_range)).\n";
-      for (std::size_t k = 0; k < sequent_.guards_of(instance.hypothesis).size(); ++k)
-        instances_text_ += "  specialize (" + name + " ltac:(assumption)).\n";
-    }
-    Key component = key;
-    component.second.push_back("component " + std::to_string(instance.component));
-    const auto [place, fresh] = places_.try_emplace(component, hypotheses_.size());
-    if (fresh) {
-      const auto [left, right] = sequent_.sides(statement, instance.component);
-      const auto at_place = [&](const ScalarPointer& side) {
-        if (parameters.empty()) return twin_.of(side);
-        return "(App " + twin_.lambda(parameters, side) + " [" + joined(twins, "; ") + "])";
-      };
-      std::string pair = "(" + at_place(left) + ",\n       " + at_place(right) + ")";
-      hypotheses_.emplace_back(
-          std::move(pair), rocq_part(name, instance.component, component_count(statement)));
-    }
-    return place->second;
-  }
-
-  void find_instances() {
-    for (const ComponentProof& component : proof_.components) {
-      if (const auto* equation = std::get_if<EquationProof>(&component.why))
-        for (const Cofactor& cofactor : equation->cofactors) instance(cofactor.equation);
-      else
-        find_instances(std::get<SignProof>(component.why));
-    }
-    for (const NonZero& item : proof_.not_zero)
-      if (item.sign) find_instances(*item.sign);
-  }
-
-  void find_instances(const SignProof& proof) {
-    const auto note = [&](const Combination& combination) {
-      for (const Cofactor& cofactor : combination.cofactors) instance(cofactor.equation);
-    };
-    for (const SignProof::Step& step : proof.steps) note(step.why);
-    if (const auto* last = std::get_if<Combination>(&proof.end)) return note(*last);
-    for (const SignProof& one : std::get<SignProof::Cut>(proof.end).cases) find_instances(one);
-  }
-
-  // The cofactors in the order of the hypotheses of the theorem; all instances are known by now.
-  std::string cofactors(const std::vector<Cofactor>& list) {
-    std::vector<std::string> result(hypotheses_.size(), "Int 0");
-    for (const Cofactor& cofactor : list)
-      result[instance(cofactor.equation)] = twin_.of(scalars_.of(cofactor.factor).front());
-    while (!result.empty() && result.back() == "Int 0") result.pop_back();
-    return listed(result);
   }
 
   // Facts of parameters that the conclusions do not have are no facts here: a true one in their place.
@@ -242,45 +157,11 @@ class ProofWriter {
     }
   }
 
-  std::string combination(const Combination& combination) {
-    std::vector<std::string> summands;
-    for (const Summand& summand : combination.summands) {
-      std::vector<std::string> squares;
-      for (const Term& square : summand.squares)
-        squares.push_back(twin_.of(scalars_.of(square).front()));
-      std::vector<std::string> facts;
-      for (const auto& [fact, exponent] : summand.facts)
-        facts.push_back("Factor " + std::to_string(fact) + " " + std::to_string(exponent));
-      summands.push_back("Summand " + rational(summand.coefficient) + " " + listed(squares) + " " +
-                         listed(facts));
-    }
-    return "(Sum " + listed(summands) + " " + cofactors(combination.cofactors) + ")";
-  }
-
-  std::string log(const SignProof& proof) {
-    std::string result;
-    std::string brackets;
-    for (const SignProof::Step& step : proof.steps) {
-      result += "(Step " + twin_.of(scalars_.of(step.fact).front()) + " " +
-                (step.strict ? "true " : "false ") + combination(step.why) + "\n      ";
-      brackets += ")";
-    }
-    if (const auto* last = std::get_if<Combination>(&proof.end)) {
-      result += "(Done " + combination(*last) + ")";
-    } else {
-      const auto& cut = std::get<SignProof::Cut>(proof.end);
-      result += "(Split " + twin_.of(scalars_.of(cut.at).front());
-      for (const SignProof& one : cut.cases) result += "\n      " + log(one);
-      result += ")";
-    }
-    return result + brackets;
-  }
-
   // A goal of the theorem about signs, as a script.
   std::string sign_script(const std::string& goal, bool strict, const SignProof& proof) {
     return std::string{"refine ("} + (strict ? "positive" : "nonnegative") +
            " Phi sigma smoothness @n hypotheses nonzero reasons facts\n    " + goal + "\n    " +
-           log(proof) + "\n    HypSmooth eq_refl HypEqual HypNonzero HypFacts _). " + computed + ".";
+           rocq_log(proof, scalars_, twin_, instances_) + "\n    HypSmooth eq_refl HypEqual HypNonzero HypFacts _). " + computed + ".";
   }
 
   // Signs of divisors are shown before anything is known not to vanish.
@@ -299,7 +180,7 @@ class ProofWriter {
     const std::string goal = item.negative ? "(Opp " + scalar + ")" : scalar;
     signs_ += "  assert (" + name + " : 0 < denote Phi sigma " + goal + ").\n  { refine (positive " +
               "Phi sigma smoothness @n hypotheses [] [] facts\n    " + goal + "\n    " +
-              log(*item.sign) + "\n    HypSmooth eq_refl HypEqual I HypFacts _). " + computed +
+              rocq_log(*item.sign, scalars_, twin_, instances_) + "\n    HypSmooth eq_refl HypEqual I HypFacts _). " + computed +
               ". }\n";
     nonzero_.push_back(scalar);
     nonzero_proofs_.push_back(std::string{item.negative ? "(nonzero_of_negative _ "
@@ -316,10 +197,10 @@ class ProofWriter {
       reasons.push_back("Reason " + twin_.of(scalars_.of(divisor.factor).front()) + " [" + numbers +
                         "] []");
     }
-    signs_ += "  pose (nonzero := " + listed(nonzero_) + " : list term).\n";
+    signs_ += "  pose (nonzero := " + rocq_list(nonzero_) + " : list term).\n";
     signs_ += "  assert (HypNonzero : all_nonzero Phi sigma nonzero) by exact " +
               conjunction(nonzero_proofs_) + ".\n";
-    signs_ += "  pose (reasons := " + listed(reasons) + " : list reason).\n";
+    signs_ += "  pose (reasons := " + rocq_list(reasons) + " : list reason).\n";
   }
 
   std::vector<std::string> component_proofs() {
@@ -329,7 +210,7 @@ class ProofWriter {
       const auto [left, right] = sequent_.sides(s, component.component);
       if (const auto* equation = std::get_if<EquationProof>(&component.why)) {
         result.push_back("refine (equation Phi sigma smoothness @n hypotheses nonzero reasons\n    " +
-                         cofactors(equation->cofactors) + "\n    " + twin_.of(left) + "\n    " +
+                         instances_.cofactors(equation->cofactors) + "\n    " + twin_.of(left) + "\n    " +
                          twin_.of(right) + "\n    HypSmooth eq_refl HypEqual HypNonzero _). " +
                          computed + ".");
         continue;
@@ -372,13 +253,8 @@ class ProofWriter {
   RocqSequent& sequent_;
   Scalars& scalars_;
   RocqNames& names_;
-  RocqText& text_;
   RocqTwin twin_;
-  std::map<Key, std::size_t> instances_;
-  std::map<Key, std::size_t> places_;
-  /// Pairs of terms, and why they are equal.
-  std::vector<std::pair<std::string, std::string>> hypotheses_;
-  std::string instances_text_;
+  RocqInstances instances_;
   std::vector<std::string> facts_;
   std::vector<std::string> fact_proofs_;
   std::vector<std::string> nonzero_;

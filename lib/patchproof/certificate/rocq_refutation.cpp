@@ -205,6 +205,20 @@ class RefutationWriter {
     }
   }
 
+  // a <> b \/ c <> d fails where all components are equal.
+  std::string none_differs(const Statement& statement, const std::string& part) {
+    std::string result = "pose proof " + part + " as HypPart.";
+    const std::size_t components = component_count(statement);
+    for (std::size_t c = 0; c < components; ++c) {
+      const auto [left, right] = sides(statement, c);
+      const std::string script = "apply HypPart. " + equality(left, right, {}, {}) + ".";
+      result += c + 1 < components
+                    ? "\n  destruct HypPart as [HypPart|HypPart]. { " + script + " }"
+                    : "\n  " + script;
+    }
+    return result;
+  }
+
   std::string conclusion_script() {
     std::size_t before = 0;
     std::size_t count = 0;
@@ -217,13 +231,13 @@ class RefutationWriter {
     }
     const Statement& statement = sequent.conclusions[refutation_.conclusion];
     const auto [left, right] = sides(statement, refutation_.component);
-    const std::string part = rocq_part("HypFalse", before + refutation_.component, count);
+    const bool one = statement.relation == Relation::not_equal;
+    const std::string part =
+        rocq_part("HypFalse", before + (one ? 0 : refutation_.component), count);
     const std::string set = "pose proof " + part + " as HypPart. clear HypFalse. revert HypPart.\n  ";
     switch (statement.relation) {
       case Relation::equal: return set + comparison("different", left, right) + ".";
-      case Relation::not_equal:
-        if (component_count(statement) > 1) throw NotScalar{"an inequality between points"};
-        return "apply " + part + ". " + equality(left, right, {}, {}) + ".";
+      case Relation::not_equal: return none_differs(statement, part);
       case Relation::less: return set + "apply not_less. " + comparison("at_most", right, left) + ".";
       case Relation::less_equal:
         return set + "apply not_at_most. " + comparison("less", right, left) + ".";

@@ -67,4 +67,17 @@ ScalarPointer scalar_bernstein(int degree, int index, const ScalarPointer& t) {
   return scalar(std::move(node));
 }
 
+ScalarPointer scalar_sum(const std::vector<ScalarPointer>& summands) {
+  ScalarPointer result;
+  for (const ScalarPointer& s : summands) {
+    if (!result)
+      result = s;
+    else if (s->kind == Scalar::Kind::opposite)
+      result = scalar_pair(Scalar::Kind::difference, result, s->children.front());
+    else
+      result = scalar_pair(Scalar::Kind::sum, result, s);
+  }
+  return result ? result : scalar_number(0);
+}
+
 }  // namespace patchproof

@@ -48,6 +48,7 @@ class SignSearch {
   std::optional<Summands> term_by_term(const Polynomial& p);
   std::optional<Summands> linear(const SignedPolynomial& goal);
   std::optional<Summands> in_bernstein_basis(const Polynomial& p, unsigned depth);
+  std::optional<Summands> without_square(const Polynomial& p, unsigned depth);
   std::optional<Summands> completed_square(const Polynomial& p, unsigned depth);
   std::optional<Bounds> bounds(Variable variable) const;
   bool is_strict(const Summands& summands) const;
