@@ -21,7 +21,7 @@ const std::string proof =
     "  prove quotient: (a^2 - b^2)/(a - b) == a + b\n"
     "  prove bound: u^2 - u + 1 > 0\n"
     "  prove square: a^2 - 2*a*b + b^2 >= 0\n"
-    "  prove integral: integral(u*v, u in 0..1, v in 0..1) == 1/4\n"
+    "  prove integral: integral(u*v, u in [0, 1], v in [0, 1]) == 1/4\n"
     "  refute false: r(u,1) == C1(u)\n"
     "  derive half: x from 2*x == a gives a/2\n"
     "end\n";
@@ -86,7 +86,7 @@ TEST_CASE("coqc accepts no certificate in which a number of the proof data was c
   const std::string text = folder.text("out/c.v");
   int changed_numbers = 0;
   // Every coefficient of a summand, and every whole number of a cofactor.
-  for (const std::string mark : {"Summand (", "reasons\n    [(Add (Var 0) (Mul (Int ("}) {
+  for (const std::string mark : {"Summand (", "reasons\n    [(Add (Var 1) (Mul (Int ("}) {
     for (std::size_t at = text.find(mark); at != std::string::npos && changed_numbers < 8;
          at = text.find(mark, at + 1)) {
       const std::size_t digit = at + mark.size();

@@ -69,11 +69,19 @@ std::optional<std::vector<Rational>> farkas_factors(const std::vector<SignedPoly
       }
     rows = std::move(next);
   }
-  for (const Row& row : rows) {
-    const Rational left = row.polynomial.constant();
-    const bool absurd = left < 0 || (left == 0 && row.strict);
+  // Facts that contradict each other show anything.
+  const auto contradiction = std::find_if(rows.begin(), rows.end(), [](const Row& row) {
+    return row.factors.back() == 0 && row.polynomial.constant() < 0;
+  });
+  for (Row& row : rows) {
     const Rational of_goal = row.factors.back();
-    if (!absurd || of_goal == 0) continue;
+    if (of_goal == 0) continue;
+    if (contradiction != rows.end() && row.polynomial.constant() >= 0)
+      row = combined(row, 1, *contradiction,
+                     (row.polynomial.constant() + 1) / -contradiction->polynomial.constant(),
+                     budget);
+    const Rational left = row.polynomial.constant();
+    if (left > 0 || (left == 0 && !row.strict)) continue;
     // sum factors*facts - of_goal*goal = left, so goal = sum (factors/of_goal)*facts - left/of_goal.
     std::vector<Rational> result{row.factors.begin(), row.factors.end() - 1};
     for (Rational& factor : result) factor /= of_goal;
