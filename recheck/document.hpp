@@ -138,10 +138,17 @@ struct NonZero {
   bool negative = false;
 };
 
+/// Factor times some divisor is, but for a number, the product of scalars that are not zero.
+struct Divisor {
+  NodeIndex factor = 0;
+  std::vector<std::size_t> product;
+};
+
 struct Proof {
   Sequent sequent;
   std::vector<ComponentProof> components;
   std::vector<NonZero> not_zero;
+  std::vector<Divisor> divisors;
 };
 
 struct Refutation {

@@ -41,7 +41,7 @@ class Enclosures {
       for (const Power& p : monomial) {
         const std::optional<Interval> base = of(p.atom);
         if (!base) return std::nullopt;
-        field_.meter().spend((1 + (bits(base->lower) + bits(base->upper)) / 64) * p.exponent);
+        field_.meter().spend((1 + extra_words(base->lower) + extra_words(base->upper)) * p.exponent);
         part = part * power(*base, p.exponent);
       }
       total.lower += part.lower;

@@ -32,21 +32,23 @@ std::optional<Rational> number_of(std::string_view text) {
 
 std::string to_text(const Rational& number) { return number.str(); }
 
-std::size_t bits(const Rational& number) {
-  const auto of = [](const Integer& whole) -> std::size_t {
-    return whole == 0 ? 0 : static_cast<std::size_t>(msb(abs(whole))) + 1;
-  };
-  return of(numerator(number)) + of(denominator(number));
+std::size_t extra_words(const Rational& number) {
+  const auto of = [](const Integer& whole) { return std::size_t{whole.backend().size()}; };
+  return of(numerator(number)) + of(denominator(number)) - 2;
 }
 
 // Newton's method from above: the first value that does not fall is the answer.
 Integer floor_of_root(const Integer& number) {
   if (number == 0) return 0;
-  Integer root = Integer{1} << (static_cast<unsigned>(msb(number)) / 2 + 1);
+  Integer root = 1;
+  root <<= static_cast<unsigned>(msb(number)) / 2 + 1;
   for (;;) {
-    const Integer next = (root + number / root) / 2;
+    Integer next = number;
+    next /= root;
+    next += root;
+    next /= 2;
     if (next >= root) return root;
-    root = next;
+    root.swap(next);
   }
 }
 

@@ -16,8 +16,8 @@ std::optional<Rational> number_of(std::string_view text);
 
 std::string to_text(const Rational& number);
 
-/// How many binary digits numerator and denominator have together.
-std::size_t bits(const Rational& number);
+/// How many words of the machine numerator and denominator need beyond one for each.
+std::size_t extra_words(const Rational& number);
 
 /// The largest whole number whose square is at most the given one, which is not negative.
 Integer floor_of_root(const Integer& number);

@@ -57,7 +57,7 @@ namespace {
 
 // What a product of two numbers costs.
 std::size_t price(const Rational& a, const Rational& b) {
-  return 1 + bits(a) / 64 * (1 + bits(b) / 64) + bits(b) / 64;
+  return 1 + extra_words(a) * (1 + extra_words(b)) + extra_words(b);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::size_t price(const Rational& a, const Rational& b) {
 Polynomial sum(const Polynomial& a, const Polynomial& b, Meter& meter) {
   Polynomial result = a;
   for (const auto& [monomial, coefficient] : b) {
-    meter.spend(1 + bits(coefficient) / 64);
+    meter.spend(1 + extra_words(coefficient));
     add(result, monomial, coefficient);
   }
   Meter::require(result.size(), meter.limits().terms, "terms");

@@ -1,5 +1,7 @@
 #include <recheck/proof_check.hpp>
 
+#include <algorithm>
+
 #include <recheck/sign_proof.hpp>
 
 namespace recheck {
@@ -22,8 +24,11 @@ class ProofChecker {
         signs_{premises_, divisors_, evaluator_} {}
 
   void require() {
-    for (std::size_t k = 0; k < proof_.not_zero.size(); ++k)
-      at_place(numbered("not_zero", k), [&] { take(proof_.not_zero[k]); });
+    for (std::size_t k = 0; k <= proof_.not_zero.size(); ++k) {
+      take_divisors(k);
+      if (k < proof_.not_zero.size())
+        at_place(numbered("not_zero", k), [&] { take(proof_.not_zero[k]); });
+    }
     at_place("sequent", [&] { require_divisors_of_sequent(); });
     std::set<std::pair<std::size_t, std::size_t>> shown;
     for (std::size_t k = 0; k < proof_.components.size(); ++k) {
@@ -47,6 +52,43 @@ class ProofChecker {
       signs_.require(*claim.sign, field_.multiple(value, claim.negative ? -1 : 1), true);
     // Only contradictory hypotheses show that 0 is not 0: of no use as a divisor.
     if (!value.numerator.empty()) divisors_.add(field_.monic(value.numerator));
+  }
+
+  // The hints that need the first scalars alone, and the last of those.
+  void take_divisors(std::size_t count) {
+    for (std::size_t k = 0; k < proof_.divisors.size(); ++k) {
+      const std::vector<std::size_t>& product = proof_.divisors[k].product;
+      std::size_t needed = 0;
+      for (const std::size_t index : product) needed = std::max(needed, index + 1);
+      const bool too_many = needed > proof_.not_zero.size() && count == proof_.not_zero.size();
+      if (needed == count || too_many)
+        at_place(numbered("divisors", k), [&] { take(proof_.divisors[k]); });
+    }
+  }
+
+  void take(const Divisor& hint) {
+    Quotient whole = number(1);
+    for (const std::size_t index : hint.product) {
+      if (index >= proof_.not_zero.size())
+        throw Rejection{"there is no scalar " + std::to_string(index) + " in not_zero"};
+      const Quotient& scalar =
+          evaluator_.value(proof_.not_zero[index].scalar).components.front();
+      whole = field_.product(whole, scalar);
+    }
+    const Value& factor = evaluator_.value(hint.factor);
+    divisors_.require(factor.divisors);
+    const Quotient& value = factor.components.front();
+    if (value.numerator.empty()) throw Rejection{"the factor is zero"};
+    // What is below the lines is not zero, so it may be put above: what comes out is not zero, and
+    // is a multiple of the divisor.
+    Polynomial above = whole.numerator;
+    for (const auto& [below, exponent] : value.denominator)
+      for (unsigned k = 0; k < exponent; ++k) above = recheck::product(above, below, field_.meter());
+    const std::optional<Polynomial> divisor =
+        exact_quotient(above, value.numerator, field_.meter());
+    if (!divisor || divisor->empty())
+      throw Rejection{field_.text(value) + " does not divide the product of the scalars"};
+    divisors_.add(field_.monic(*divisor));
   }
 
   void require_difference(std::size_t index, const Quotient& scalar) {

@@ -12,12 +12,13 @@ class ProofReader {
       : certificate_{certificate}, limits_{limits} {}
 
   Proof proof(const Place& place) const {
-    place.require_members({"sequent", "components", "not_zero"});
+    place.require_members({"sequent", "components", "not_zero", "divisors"});
     Proof result;
     result.sequent = sequent_of(place["sequent"], certificate_);
     for (const Place& entry : place["components"].items())
       result.components.push_back(component(entry));
     for (const Place& entry : place["not_zero"].items()) result.not_zero.push_back(not_zero(entry));
+    for (const Place& entry : place["divisors"].items()) result.divisors.push_back(divisor(entry));
     return result;
   }
 
@@ -57,6 +58,13 @@ class ProofReader {
     if (place.has("hypothesis")) result.hypothesis = index(place["hypothesis"]);
     if (place.has("sign")) result.sign = sign(place["sign"], 0);
     result.negative = place.has("negative") && place["negative"].truth();
+    return result;
+  }
+
+  Divisor divisor(const Place& place) const {
+    place.require_members({"factor", "product"});
+    Divisor result{scalar(place["factor"]), {}};
+    for (const Place& entry : place["product"].items()) result.product.push_back(index(entry));
     return result;
   }
 

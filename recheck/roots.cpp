@@ -29,7 +29,7 @@ Quotient Field::square_root(const Rational& given) {
   Quotient result = number(1);
   for (unsigned prime = 2; prime <= largest_tried && rest > 1; ++prime) {
     unsigned exponent = 0;
-    meter_.spend(1 + bits(Rational{rest}) / 64);
+    meter_.spend(1 + rest.backend().size());
     for (; rest % prime == 0; rest /= prime) ++exponent;
     for (unsigned k = 0; k < exponent / 2; ++k) outside *= prime;
     if (exponent % 2 == 1) result = product(result, of_atom(root(prime)));

@@ -102,6 +102,13 @@ struct ComponentProof {
   bool negative = false;
 };
 
+/// A hint why some divisor does not vanish: factor * divisor is, but for a number, the product of these
+/// scalars of `not_zero`, given by their indices.
+struct Divisor {
+  Term factor;
+  std::vector<std::size_t> product;
+};
+
 /// Shows a sequent. Every divisor in it, and in the proof, is a divisor of a product of the scalars
 /// in `not_zero`, times a number.
 struct SequentProof {
@@ -109,6 +116,7 @@ struct SequentProof {
   /// For every component of every conclusion; of != between points one component is enough.
   std::vector<ComponentProof> components;
   std::vector<NonZero> not_zero;
+  std::vector<Divisor> divisors;
 };
 
 /// Values for all free symbols at which every hypothesis holds and one conclusion does not.

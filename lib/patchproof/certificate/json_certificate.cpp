@@ -49,7 +49,10 @@ class Writer {
     return list(proofs, [&](const SequentProof& proof) {
       return Json{{"sequent", of(proof.sequent)},
                   {"components", list(proof.components, [&](const auto& c) { return of(c, proof); })},
-                  {"not_zero", list(proof.not_zero, [&](const auto& n) { return of(n, proof); })}};
+                  {"not_zero", list(proof.not_zero, [&](const auto& n) { return of(n, proof); })},
+                  {"divisors", list(proof.divisors, [&](const Divisor& d) {
+                     return Json{{"factor", table_.node(d.factor)}, {"product", d.product}};
+                   })}};
     });
   }
 
@@ -185,11 +188,12 @@ std::string json_certificates(const std::string& case_name,
                               const std::vector<Certificate>& certificates) {
   Json written = Json::array();
   for (const Certificate& certificate : certificates) written.push_back(Writer{}.of(certificate));
-  const Json document{{"format", "patchproof certificate"},
-                      {"version", 1},
-                      {"program", std::string{"patchproof "} + version},
-                      {"case", case_name},
-                      {"certificates", std::move(written)}};
+  Json document;
+  document["format"] = "patchproof certificate";
+  document["version"] = 1;
+  document["program"] = "patchproof " + std::string{version};
+  document["case"] = case_name;
+  document["certificates"] = std::move(written);
   return in_lines(document, "") + "\n";
 }
 
