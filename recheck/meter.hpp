@@ -29,17 +29,48 @@ class LimitReached : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown by what version 1 of the checker cannot judge.
-class Unsupported : public std::runtime_error {
+/// Why a certificate is not rechecked, and at which place of it: `proofs[0].components[1]`.
+class Objection : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Objection(const std::string& reason, const std::string& place = "")
+      : std::runtime_error{place.empty() ? reason : place + ": " + reason},
+        reason_{reason},
+        place_{place} {}
+
+  const std::string& reason() const { return reason_; }
+  /// The place, as seen from an outer one.
+  std::string place_in(const std::string& outer) const {
+    return place_.empty() ? outer : outer + "." + place_;
+  }
+
+ private:
+  std::string reason_;
+  std::string place_;
+};
+
+/// Thrown by what version 1 of the checker cannot judge.
+class Unsupported : public Objection {
+ public:
+  using Objection::Objection;
 };
 
 /// Thrown where a certificate shows to be wrong, or not to show what it should.
-class Rejection : public std::runtime_error {
+class Rejection : public Objection {
  public:
-  using std::runtime_error::runtime_error;
+  using Objection::Objection;
 };
+
+/// Calls the function; what it objects to is said to be at that place.
+template <typename Function>
+void at_place(const std::string& place, const Function& function) {
+  try {
+    function();
+  } catch (const Rejection& error) {
+    throw Rejection{error.reason(), error.place_in(place)};
+  } catch (const Unsupported& error) {
+    throw Unsupported{error.reason(), error.place_in(place)};
+  }
+}
 
 /// Counts what is spent of the limits while one certificate is judged.
 class Meter {

@@ -3,7 +3,6 @@
 #include <recheck/document_reader.hpp>
 #include <recheck/proof_check.hpp>
 #include <recheck/refutation_check.hpp>
-#include <recheck/sign_proof.hpp>
 
 namespace recheck {
 

@@ -1,6 +1,6 @@
 #include <recheck/refutation_check.hpp>
 
-#include <recheck/sign_proof.hpp>
+#include <recheck/premises.hpp>
 
 namespace recheck {
 

@@ -34,16 +34,4 @@ class SignChecker {
   Field& field_;
 };
 
-/// Calls the function; what it rejects or does not know is said to be at that place.
-template <typename Function>
-void at_place(const std::string& place, const Function& function) {
-  try {
-    function();
-  } catch (const Rejection& error) {
-    throw Rejection{place + ": " + error.what()};
-  } catch (const Unsupported& error) {
-    throw Unsupported{place + ": " + error.what()};
-  }
-}
-
 }  // namespace recheck
