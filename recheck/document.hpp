@@ -65,6 +65,8 @@ struct Node {
   /// span of a B-spline basis function.
   std::vector<std::size_t> indices;
   std::vector<Rational> knots;
+  /// Whether some coordinate of a point of any dimension stands in it: whichever is looked at.
+  bool has_any_coordinate = false;
 };
 
 enum class Relation { equal, not_equal, less, less_equal, greater, greater_equal };

@@ -1,5 +1,7 @@
 #include <recheck/field.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace recheck {
@@ -94,8 +96,12 @@ Quotient Field::product(const Quotient& a, const Quotient& b) {
 
 Quotient Field::power(const Quotient& a, std::size_t exponent) {
   Meter::require(exponent, meter_.limits().exponent, "exponents");
+  // The binary digits of the exponent, the greatest first.
   Quotient result = number(1);
-  for (std::size_t k = 0; k < exponent; ++k) result = product(result, a);
+  for (std::size_t digit = std::bit_floor(exponent); digit > 0; digit /= 2) {
+    result = product(result, result);
+    if ((exponent & digit) != 0) result = product(result, a);
+  }
   return result;
 }
 

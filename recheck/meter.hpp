@@ -20,7 +20,7 @@ struct Limits {
   std::size_t kept = 5'000'000;    ///< terms of all polynomials that are kept
   std::size_t atoms = 100'000;     ///< symbols, jets and roots together
   std::size_t depth = 30;          ///< functions at values of functions, cases within cases
-  std::size_t steps = 300'000'000; ///< products of digits, roughly, for one certificate
+  std::size_t steps = 100'000'000;  ///< products of words of numbers, roughly
 };
 
 /// Thrown when more than a limit would be needed; says which.

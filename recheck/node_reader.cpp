@@ -36,6 +36,7 @@ class NodeReader {
     } catch (const WrongType& error) {
       place.fail(error.what());
     }
+    note_any_coordinate(node);
     nodes_.push_back(std::move(node));
   }
 
@@ -99,6 +100,14 @@ class NodeReader {
         place["name"].text();
         return;
       default: return members({"children"});
+    }
+  }
+
+  void note_any_coordinate(Node& node) const {
+    for (const NodeIndex child : node.children) {
+      const bool here = node.operation == Operation::component && nodes_[child].type.any;
+      node.has_any_coordinate =
+          node.has_any_coordinate || here || nodes_[child].has_any_coordinate;
     }
   }
 

@@ -55,9 +55,10 @@ Monomial product(const Monomial& a, const Monomial& b, const Meter& meter) {
 
 namespace {
 
-// What a product of two numbers costs.
+// What a product of two numbers costs: common factors are looked for in all of their words.
 std::size_t price(const Rational& a, const Rational& b) {
-  return 1 + extra_words(a) * (1 + extra_words(b)) + extra_words(b);
+  const std::size_t words = 1 + extra_words(a) + extra_words(b);
+  return words * words;
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ class ProofReader {
     const NodeIndex node = place["value"].whole(certificate_.nodes.size());
     if (!(certificate_.nodes[node].type == certificate_.symbols[symbol].type))
       place.fail("the value of '" + certificate_.symbols[symbol].name + "' has another type");
-    if (!certificate_.free_symbols[node].empty())
+    if (!certificate_.free_symbols[node].empty() || certificate_.nodes[node].has_any_coordinate)
       place["value"].fail("a value without symbols is needed here");
     if (!values.emplace(symbol, node).second)
       place["symbol"].fail("this symbol has a value already");

@@ -46,11 +46,11 @@ class RefutationChecker {
     const Sequent& sequent = refutation_.sequent;
     for (const auto* statements : {&sequent.hypotheses, &sequent.conclusions})
       for (const Statement& statement : *statements)
-        for (const NodeIndex side : {statement.left, statement.right}) require_values(side);
-    for (const Range& range : sequent.ranges) {
-      require_value(range.parameter);
-      for (const NodeIndex end : {range.lower, range.upper}) require_values(end);
-    }
+        for (const NodeIndex side : {statement.left, statement.right})
+          require_values(side, statements == &sequent.hypotheses &&
+                                   statement.relation == Relation::equal);
+    for (const Range& range : sequent.ranges)
+      for (const NodeIndex end : {range.lower, range.upper}) require_values(end, false);
     for (std::size_t k = 0; k < sequent.ranges.size(); ++k)
       at_place("sequent." + numbered("ranges", k), [&] { require_range(sequent.ranges[k]); });
     find_box();
@@ -91,8 +91,11 @@ class RefutationChecker {
     if (!refutation_.values.contains(symbol))
       throw Rejection{"there is no value for '" + field_.symbol(symbol).name + "'"};
   }
-  void require_values(NodeIndex node) const {
-    for (const SymbolIndex symbol : certificate_.free_symbols[node]) require_value(symbol);
+  // An equation that is assumed holds for all values of its parameters: they need none.
+  void require_values(NodeIndex node, bool of_assumed_equation) const {
+    for (const SymbolIndex symbol : certificate_.free_symbols[node])
+      if (!of_assumed_equation || field_.symbol(symbol).role != Symbol::Role::parameter)
+        require_value(symbol);
   }
 
   /// The value after a replacement; divisors that are numbers are not zero.
@@ -115,7 +118,13 @@ class RefutationChecker {
   }
 
   void require_range(const Range& range) {
-    const Quotient value = everything_.at(field_.coordinate(range.parameter, 0));
+    const auto found = everything_.find(field_.coordinate(range.parameter, 0));
+    if (found == everything_.end()) {
+      if (sign_of(field_.difference(number_at(range.upper), number_at(range.lower))) < 0)
+        throw Rejection{"the range of '" + field_.symbol(range.parameter).name + "' is empty"};
+      return;
+    }
+    const Quotient& value = found->second;
     if (sign_of(field_.difference(value, number_at(range.lower))) < 0 ||
         sign_of(field_.difference(number_at(range.upper), value)) < 0)
       throw Rejection{"'" + field_.symbol(range.parameter).name + "' = " + field_.text(value) +

@@ -20,10 +20,19 @@ NodeIndex scalar_at(const Place& place, const Certificate& certificate) {
 
 namespace {
 
+// Proofs may speak of whichever coordinate they are about. In a statement it would not be clear
+// whether one coordinate is meant or all.
+NodeIndex side_at(const Place& place, const Certificate& certificate) {
+  const NodeIndex node = term_at(place, certificate);
+  if (certificate.nodes[node].has_any_coordinate)
+    place.fail("a coordinate of a point of any dimension stands in a statement");
+  return node;
+}
+
 Statement statement_of(const Place& place, const Certificate& certificate) {
   Statement result;
-  result.left = term_at(place["left"], certificate);
-  result.right = term_at(place["right"], certificate);
+  result.left = side_at(place["left"], certificate);
+  result.right = side_at(place["right"], certificate);
   result.relation =
       static_cast<Relation>(place["relation"].one_of({"==", "!=", "<", "<=", ">", ">="}));
   const Type& type = certificate.nodes[result.left].type;
@@ -40,8 +49,10 @@ Range range_of(const Place& place, const Certificate& certificate) {
   result.parameter = place["parameter"].whole(certificate.symbols.size());
   if (certificate.symbols[result.parameter].role != Symbol::Role::parameter)
     place["parameter"].fail("this is no parameter");
-  result.lower = scalar_at(place["lower"], certificate);
-  result.upper = scalar_at(place["upper"], certificate);
+  result.lower = side_at(place["lower"], certificate);
+  result.upper = side_at(place["upper"], certificate);
+  for (const NodeIndex end : {result.lower, result.upper})
+    if (!certificate.nodes[end].type.is_scalar()) place.fail("the ends of a range are scalars");
   return result;
 }
 

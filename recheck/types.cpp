@@ -179,7 +179,7 @@ class Typing {
   Type component() const {
     require_count(1);
     require(value(0).kind == Type::Kind::point && node_.indices.size() == 1 &&
-                node_.indices[0] < of(0).dimension,
+                node_.indices[0] < of(0).width(),
             "the point has no such coordinate");
     return Type{};
   }
