@@ -18,7 +18,7 @@ foreach(source IN LISTS fuzz_sources)
   endif()
 
   add_executable(${target} ${source})
-  target_link_libraries(${target} PRIVATE patchproof)
+  target_link_libraries(${target} PRIVATE patchproof recheck)
   target_link_options(${target} PRIVATE -fsanitize=fuzzer)
   use_project_warnings(${target})
 

@@ -108,7 +108,7 @@ TEST_CASE("A division by zero is found", "[reject]") {
     scalar a, f(t) = 1/t
     prove pole: a*f(a-a) == 0)"};
   CHECK(judged(document_of(by_equations(claims.sequent("pole"), {}))) ==
-        "REJECTED proofs[0]: division by zero");
+        "REJECTED proofs[0].sequent: division by zero");
 }
 
 TEST_CASE("A hint shows a divisor that is a part of a product", "[law]") {
