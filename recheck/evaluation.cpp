@@ -29,6 +29,8 @@ std::size_t size(const Value& value) {
 }  // namespace
 
 const Value& Evaluator::value(NodeIndex wanted) {
+  if (values_[wanted]) return *values_[wanted];
+  field_.meter().spend(1 + wanted / 8);
   // Children come before their parents: backwards it shows what is needed, forwards it is made.
   std::vector<bool> needed(wanted + 1, false);
   needed[wanted] = true;

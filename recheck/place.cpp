@@ -32,7 +32,9 @@ Place Place::operator[](std::string_view name) const {
 }
 
 std::vector<Place> Place::items() const {
+  constexpr std::size_t most = 1'000'000;
   if (!json_->is_array()) fail("a list is needed here");
+  if (json_->size() > most) fail("the list is too long");
   std::vector<Place> result;
   for (std::size_t k = 0; k < json_->size(); ++k)
     result.emplace_back((*json_)[k], path_ + "[" + std::to_string(k) + "]");

@@ -21,6 +21,7 @@ Fact multiple_of(const Cofactor& cofactor, const Premises& premises, Evaluator& 
 void SignChecker::follow(const SignProof& proof, const Quotient& goal, bool strict,
                          std::vector<Fact> facts, const std::string& path) const {
   const std::string start = path.empty() ? "" : path + ".";
+  field_.meter().spend(1 + facts.size());
   for (std::size_t k = 0; k < proof.steps.size(); ++k) {
     const SignProof::Step& step = proof.steps[k];
     at_place(start + numbered("steps", k), [&] {
