@@ -15,8 +15,7 @@ class Derivation {
     for (const auto& [factor, exponent] : a.denominator) {
       const Quotient inner = of(factor);
       if (inner.numerator.empty()) continue;
-      const Quotient relative =
-          field_.product(inner, Quotient{constant(exponent), {{factor, 1}}});
+      const Quotient relative = field_.product(inner, Quotient{constant(exponent), {{factor, 1}}});
       result = field_.difference(result, field_.product(a, relative));
     }
     return result;

@@ -11,8 +11,8 @@ class Divisors {
 
   void add(const Polynomial& shown) { shown_.push_back(shown); }
 
-  /// Requires that none of the polynomials vanishes: each divides what was added, or products of it,
-  /// up to a number.
+  /// Requires that none of the polynomials vanishes: each divides what was added, or products of
+  /// it, up to a number.
   /// @throws Rejection
   void require(const Polynomials& divisors) const;
 

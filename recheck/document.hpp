@@ -47,9 +47,35 @@ struct Symbol {
 };
 
 enum class Operation {
-  number, pi, symbol, tuple, matrix, sum, negation, product, quotient, power, sine, cosine,
-  exponential, square_root, lambda, apply, derivative, component, entry, slice, transpose,
-  matrix_product, determinant, dot, cross, bernstein, bspline_basis, integral, definition
+  number,
+  pi,
+  symbol,
+  tuple,
+  matrix,
+  sum,
+  negation,
+  product,
+  quotient,
+  power,
+  sine,
+  cosine,
+  exponential,
+  square_root,
+  lambda,
+  apply,
+  derivative,
+  component,
+  entry,
+  slice,
+  transpose,
+  matrix_product,
+  determinant,
+  dot,
+  cross,
+  bernstein,
+  bspline_basis,
+  integral,
+  definition
 };
 
 /// One node of the terms; its children come before it.

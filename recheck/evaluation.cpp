@@ -59,19 +59,27 @@ Value Evaluator::compute(const Node& node) const {
     case Operation::number:
       result.components = {number(node.number)};
       return result;
-    case Operation::symbol: return of_symbol(node.symbol);
+    case Operation::symbol:
+      return of_symbol(node.symbol);
     case Operation::lambda:
       result.components = child(node, 0).components;
       for (const SymbolIndex formal : node.formals)
         result.formals.push_back(field_.coordinate(formal, 0));
       return result;
-    case Operation::definition: return child(node, 0);
-    case Operation::apply: return of_apply(node);
-    case Operation::derivative: return of_derivative(node);
-    case Operation::integral: return of_integral(node);
-    case Operation::quotient: return of_quotient(node);
-    case Operation::power: return of_power(node);
-    case Operation::product: return of_product(node);
+    case Operation::definition:
+      return child(node, 0);
+    case Operation::apply:
+      return of_apply(node);
+    case Operation::derivative:
+      return of_derivative(node);
+    case Operation::integral:
+      return of_integral(node);
+    case Operation::quotient:
+      return of_quotient(node);
+    case Operation::power:
+      return of_power(node);
+    case Operation::product:
+      return of_product(node);
     case Operation::bernstein:
       return of_polynomial(node, bernstein(node.indices[0], node.indices[1]));
     case Operation::bspline_basis:
@@ -83,11 +91,16 @@ Value Evaluator::compute(const Node& node) const {
       result.components = {field_.square_root(*radicand)};
       return result;
     }
-    case Operation::pi: throw Unsupported{"pi"};
-    case Operation::sine: throw Unsupported{"a sine"};
-    case Operation::cosine: throw Unsupported{"a cosine"};
-    case Operation::exponential: throw Unsupported{"an exponential"};
-    default: break;
+    case Operation::pi:
+      throw Unsupported{"pi"};
+    case Operation::sine:
+      throw Unsupported{"a sine"};
+    case Operation::cosine:
+      throw Unsupported{"a cosine"};
+    case Operation::exponential:
+      throw Unsupported{"an exponential"};
+    default:
+      break;
   }
   result.components = of_vectors(node);
   return result;
@@ -157,9 +170,9 @@ Value Evaluator::of_integral(const Node& node) const {
       throw Unsupported{"an integral whose bounds depend on its variables"};
   for (std::size_t k = 0; k < function.formals.size(); ++k)
     for (Quotient& component : result.components)
-      component = integral(component, function.formals[k],
-                           child(node, 2 * k + 1).components.front(),
-                           child(node, 2 * k + 2).components.front(), field_);
+      component =
+          integral(component, function.formals[k], child(node, 2 * k + 1).components.front(),
+                   child(node, 2 * k + 2).components.front(), field_);
   return result;
 }
 
@@ -208,8 +221,8 @@ Value Evaluator::of_polynomial(const Node& node, const std::vector<Rational>& co
   const Value& argument = child(node, 0);
   Quotient result;
   for (std::size_t k = coefficients.size(); k-- > 0;)
-    result = field_.sum(field_.product(result, argument.components.front()),
-                        number(coefficients[k]));
+    result =
+        field_.sum(field_.product(result, argument.components.front()), number(coefficients[k]));
   return {{result}, argument.divisors, {}};
 }
 

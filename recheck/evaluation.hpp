@@ -4,8 +4,8 @@
 
 namespace recheck {
 
-/// What a term is worth: its coordinates, entries row by row; of a function, its value at its formal
-/// parameters.
+/// What a term is worth: its coordinates, entries row by row; of a function, its value at its
+/// formal parameters.
 struct Value {
   std::vector<Quotient> components;
   /// What was divided by: none of them may vanish.

@@ -72,15 +72,12 @@ Quotient Field::sum(const Quotient& a, const Quotient& b) {
     }
     return numerator;
   };
-  result.numerator =
-      without_squares_of_roots(recheck::sum(expanded(a), expanded(b), meter_));
+  result.numerator = without_squares_of_roots(recheck::sum(expanded(a), expanded(b), meter_));
   if (result.numerator.empty()) result.denominator.clear();
   return result;
 }
 
-Quotient Field::difference(const Quotient& a, const Quotient& b) {
-  return sum(a, multiple(b, -1));
-}
+Quotient Field::difference(const Quotient& a, const Quotient& b) { return sum(a, multiple(b, -1)); }
 
 Quotient Field::product(const Quotient& a, const Quotient& b) {
   Quotient result{without_squares_of_roots(recheck::product(a.numerator, b.numerator, meter_)),
@@ -105,9 +102,7 @@ Quotient Field::power(const Quotient& a, std::size_t exponent) {
   return result;
 }
 
-Polynomial Field::monic(const Polynomial& a) {
-  return scaled(a, 1 / a.rbegin()->second, meter_);
-}
+Polynomial Field::monic(const Polynomial& a) { return scaled(a, 1 / a.rbegin()->second, meter_); }
 
 Quotient Field::inverse(const Quotient& a) {
   if (a.numerator.empty()) throw Rejection{"division by zero"};

@@ -55,7 +55,8 @@ void Premises::require_differentiable(SymbolIndex parameter, const Cofactor& of)
   if (own != bounds_.end()) {
     const std::optional<int> length =
         sign(field_.difference(own->second.upper, own->second.lower), field_);
-    if (!length) throw Unsupported{"a derivative in " + name + ", whose range has no numbers as ends"};
+    if (!length)
+      throw Unsupported{"a derivative in " + name + ", whose range has no numbers as ends"};
     if (*length <= 0) throw Rejection{"a derivative in " + name + ", whose range is a point"};
   }
   // The others must not lose their values when this one moves.

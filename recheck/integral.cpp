@@ -25,7 +25,8 @@ Quotient integral(const Quotient& a, Atom over, const Quotient& lower, const Quo
         exponent = power.exponent;
         continue;
       }
-      if (!field.meaning(power.atom).arguments.empty() && contains(of_atom(power.atom), over, field))
+      if (!field.meaning(power.atom).arguments.empty() &&
+          contains(of_atom(power.atom), over, field))
         throw Unsupported{"the integral of an unknown function"};
       rest.push_back(power);
     }
@@ -33,8 +34,8 @@ Quotient integral(const Quotient& a, Atom over, const Quotient& lower, const Quo
   }
   Quotient result;
   for (const auto& [exponent, coefficient] : coefficients) {
-    const Quotient ends = field.difference(field.power(upper, exponent + 1),
-                                           field.power(lower, exponent + 1));
+    const Quotient ends =
+        field.difference(field.power(upper, exponent + 1), field.power(lower, exponent + 1));
     const Quotient part = field.product(as_quotient(coefficient), ends);
     result = field.sum(result, field.multiple(part, Rational{1, exponent + 1}));
   }

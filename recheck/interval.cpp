@@ -10,8 +10,9 @@ constexpr unsigned few_digits = 64;
 constexpr unsigned most_digits = 4096;
 
 Interval operator*(const Interval& a, const Interval& b) {
-  const auto [least, greatest] = std::minmax({Rational{a.lower * b.lower}, Rational{a.lower * b.upper},
-                                              Rational{a.upper * b.lower}, Rational{a.upper * b.upper}});
+  const auto [least, greatest] =
+      std::minmax({Rational{a.lower * b.lower}, Rational{a.lower * b.upper},
+                   Rational{a.upper * b.lower}, Rational{a.upper * b.upper}});
   return {least, greatest};
 }
 
@@ -41,7 +42,8 @@ class Enclosures {
       for (const Power& p : monomial) {
         const std::optional<Interval> base = of(p.atom);
         if (!base) return std::nullopt;
-        field_.meter().spend((1 + extra_words(base->lower) + extra_words(base->upper)) * p.exponent);
+        field_.meter().spend((1 + extra_words(base->lower) + extra_words(base->upper)) *
+                             p.exponent);
         part = part * power(*base, p.exponent);
       }
       total.lower += part.lower;

@@ -15,8 +15,7 @@ using Box = std::map<Atom, Interval>;
 
 /// An interval that certainly contains all values over the box; empty when some atom is neither a
 /// root nor in the box, or when a divisor may vanish. Roots are enclosed to `digits` binary digits.
-std::optional<Interval> enclosure(const Quotient& a, const Box& box, unsigned digits,
-                                  Field& field);
+std::optional<Interval> enclosure(const Quotient& a, const Box& box, unsigned digits, Field& field);
 
 /// The sign of a number: -1, 0 or 1; empty when the quotient contains more than numbers and roots.
 /// @throws Unsupported when many digits do not tell

@@ -88,8 +88,7 @@ Quotient determinant(const Components& matrix, std::size_t size, Field& field) {
 
 Quotient dot(const Components& a, const Components& b, Field& field) {
   Quotient total;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    total = field.sum(total, field.product(a[k], b.at(k)));
+  for (std::size_t k = 0; k < a.size(); ++k) total = field.sum(total, field.product(a[k], b.at(k)));
   return total;
 }
 
@@ -108,23 +107,27 @@ std::vector<Quotient> Evaluator::of_vectors(const Node& node) const {
   const Components& first = child(node, 0).components;
   const Type& type = nodes_[node.children[0]].type;
   switch (node.operation) {
-    case Operation::component: return {first.at(node.indices[0])};
+    case Operation::component:
+      return {first.at(node.indices[0])};
     case Operation::entry:
-      return block(first, type, node.indices[0], node.indices[0], node.indices[1],
-                   node.indices[1]);
+      return block(first, type, node.indices[0], node.indices[0], node.indices[1], node.indices[1]);
     case Operation::slice:
-      return block(first, type, node.indices[0], node.indices[1], node.indices[2],
-                   node.indices[3]);
-    case Operation::transpose: return transposed(first, type);
-    case Operation::determinant: return {determinant(first, type.rows, field_)};
-    case Operation::dot: return {dot(first, child(node, 1).components, field_)};
-    case Operation::cross: return cross(first, child(node, 1).components, field_);
+      return block(first, type, node.indices[0], node.indices[1], node.indices[2], node.indices[3]);
+    case Operation::transpose:
+      return transposed(first, type);
+    case Operation::determinant:
+      return {determinant(first, type.rows, field_)};
+    case Operation::dot:
+      return {dot(first, child(node, 1).components, field_)};
+    case Operation::cross:
+      return cross(first, child(node, 1).components, field_);
     case Operation::negation: {
       Components result;
       for (const Quotient& component : first) result.push_back(field_.multiple(component, -1));
       return result;
     }
-    default: break;
+    default:
+      break;
   }
   Components result = first;
   Type left = type;

@@ -9,17 +9,17 @@ namespace recheck {
 /// How much may be read and worked out before the answer is "UNKNOWN (limit: ...)", or before a
 /// text is refused.
 struct Limits {
-  std::size_t bytes = 64'000'000;  ///< of a text
-  std::size_t nesting = 300;       ///< brackets within brackets in a text
-  std::size_t nodes = 200'000;     ///< of one certificate
-  std::size_t symbols = 20'000;    ///< of one certificate
-  std::size_t extent = 10'000;     ///< entries of a matrix, coordinates, arguments
-  std::size_t order = 200;         ///< degrees of basis functions, orders of derivatives
-  std::size_t exponent = 10'000;   ///< of a power
-  std::size_t terms = 200'000;     ///< of a polynomial
-  std::size_t kept = 5'000'000;    ///< terms of all polynomials that are kept
-  std::size_t atoms = 100'000;     ///< symbols, jets and roots together
-  std::size_t depth = 30;          ///< functions at values of functions, cases within cases
+  std::size_t bytes = 64'000'000;   ///< of a text
+  std::size_t nesting = 300;        ///< brackets within brackets in a text
+  std::size_t nodes = 200'000;      ///< of one certificate
+  std::size_t symbols = 20'000;     ///< of one certificate
+  std::size_t extent = 10'000;      ///< entries of a matrix, coordinates, arguments
+  std::size_t order = 200;          ///< degrees of basis functions, orders of derivatives
+  std::size_t exponent = 10'000;    ///< of a power
+  std::size_t terms = 200'000;      ///< of a polynomial
+  std::size_t kept = 5'000'000;     ///< terms of all polynomials that are kept
+  std::size_t atoms = 100'000;      ///< symbols, jets and roots together
+  std::size_t depth = 30;           ///< functions at values of functions, cases within cases
   std::size_t steps = 100'000'000;  ///< products of words of numbers, roughly
 };
 

@@ -8,10 +8,11 @@ namespace {
 
 const std::vector<std::string_view>& operation_names() {
   static const std::vector<std::string_view> names{
-      "number", "pi", "symbol", "tuple", "matrix", "sum", "negation", "product", "quotient",
-      "power", "sine", "cosine", "exponential", "square_root", "lambda", "apply", "derivative",
-      "component", "entry", "slice", "transpose", "matrix_product", "determinant", "dot", "cross",
-      "bernstein", "bspline_basis", "integral", "definition"};
+      "number",      "pi",          "symbol",        "tuple",          "matrix",      "sum",
+      "negation",    "product",     "quotient",      "power",          "sine",        "cosine",
+      "exponential", "square_root", "lambda",        "apply",          "derivative",  "component",
+      "entry",       "slice",       "transpose",     "matrix_product", "determinant", "dot",
+      "cross",       "bernstein",   "bspline_basis", "integral",       "definition"};
   return names;
 }
 
@@ -54,7 +55,8 @@ class NodeReader {
         members({"value"});
         node.number = place["value"].number();
         return;
-      case Operation::pi: return members({});
+      case Operation::pi:
+        return members({});
       case Operation::symbol:
         members({"symbol"});
         node.symbol = place["symbol"].whole(symbols_.size());
@@ -87,7 +89,8 @@ class NodeReader {
         return indices(place["indices"], node);
       case Operation::bernstein:
         members({"children", "degree", "index"});
-        node.indices = {place["degree"].whole(limits_.extent), place["index"].whole(limits_.extent)};
+        node.indices = {place["degree"].whole(limits_.extent),
+                        place["index"].whole(limits_.extent)};
         return;
       case Operation::bspline_basis:
         members({"children", "degree", "index", "span", "knots"});
@@ -99,15 +102,15 @@ class NodeReader {
         members({"children", "name"});
         place["name"].text();
         return;
-      default: return members({"children"});
+      default:
+        return members({"children"});
     }
   }
 
   void note_any_coordinate(Node& node) const {
     for (const NodeIndex child : node.children) {
       const bool here = node.operation == Operation::component && nodes_[child].type.any;
-      node.has_any_coordinate =
-          node.has_any_coordinate || here || nodes_[child].has_any_coordinate;
+      node.has_any_coordinate = node.has_any_coordinate || here || nodes_[child].has_any_coordinate;
     }
   }
 

@@ -62,7 +62,8 @@ long Place::integer(std::size_t limit) const {
   if (!json_->is_number_integer()) fail("a whole number is needed here");
   const auto most = static_cast<std::int64_t>(limit);
   // Large numbers without sign would be negative ones here.
-  if (json_->is_number_unsigned() && json_->get<std::uint64_t>() > limit) fail("this number is too large");
+  if (json_->is_number_unsigned() && json_->get<std::uint64_t>() > limit)
+    fail("this number is too large");
   const auto number = json_->get<std::int64_t>();
   if (number > most || number < -most) fail("this number is too large");
   return static_cast<long>(number);
@@ -89,8 +90,10 @@ bool is_nested_deeper(const std::string& text, std::size_t limit) {
   bool in_string = false;
   for (std::size_t k = 0; k < text.size(); ++k) {
     if (in_string) {
-      if (text[k] == '\\') ++k;
-      else if (text[k] == '"') in_string = false;
+      if (text[k] == '\\')
+        ++k;
+      else if (text[k] == '"')
+        in_string = false;
       continue;
     }
     if (text[k] == '"') in_string = true;

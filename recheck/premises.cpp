@@ -66,8 +66,7 @@ Premises::Premises(const Sequent& sequent, const Certificate& certificate, Evalu
       facts_.push_back(order_fact(hypothesis, evaluator));
     for (const NodeIndex side : {hypothesis.left, hypothesis.right})
       for (const SymbolIndex symbol : certificate.free_symbols[side])
-        if (certificate.symbols[symbol].role == Symbol::Role::parameter)
-          restricted_.insert(symbol);
+        if (certificate.symbols[symbol].role == Symbol::Role::parameter) restricted_.insert(symbol);
   }
 }
 

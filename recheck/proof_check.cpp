@@ -71,8 +71,7 @@ class ProofChecker {
     for (const std::size_t index : hint.product) {
       if (index >= proof_.not_zero.size())
         throw Rejection{"there is no scalar " + std::to_string(index) + " in not_zero"};
-      const Quotient& scalar =
-          evaluator_.value(proof_.not_zero[index].scalar).components.front();
+      const Quotient& scalar = evaluator_.value(proof_.not_zero[index].scalar).components.front();
       whole = field_.product(whole, scalar);
     }
     const Value& factor = evaluator_.value(hint.factor);
@@ -83,7 +82,8 @@ class ProofChecker {
     // is a multiple of the divisor.
     Polynomial above = whole.numerator;
     for (const auto& [below, exponent] : value.denominator)
-      for (unsigned k = 0; k < exponent; ++k) above = recheck::product(above, below, field_.meter());
+      for (unsigned k = 0; k < exponent; ++k)
+        above = recheck::product(above, below, field_.meter());
     const std::optional<Polynomial> divisor =
         exact_quotient(above, value.numerator, field_.meter());
     if (!divisor || divisor->empty())
@@ -123,8 +123,8 @@ class ProofChecker {
     const Statement& conclusion = proof_.sequent.conclusions[component.conclusion];
     const Value difference = difference_of(conclusion, evaluator_);
     if (component.component >= difference.components.size())
-      throw Rejection{"conclusion " + std::to_string(component.conclusion) +
-                      " has no component " + std::to_string(component.component)};
+      throw Rejection{"conclusion " + std::to_string(component.conclusion) + " has no component " +
+                      std::to_string(component.component)};
     const Quotient& scalar = difference.components[component.component];
     if (component.negative && conclusion.relation != Relation::not_equal)
       throw Rejection{"'negative' belongs to != only"};

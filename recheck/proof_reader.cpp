@@ -164,8 +164,7 @@ Proof proof_of(const Place& place, const Certificate& certificate, const Limits&
   return ProofReader{certificate, limits}.proof(place);
 }
 
-Refutation refutation_of(const Place& place, const Certificate& certificate,
-                         const Limits& limits) {
+Refutation refutation_of(const Place& place, const Certificate& certificate, const Limits& limits) {
   return ProofReader{certificate, limits}.refutation(place);
 }
 

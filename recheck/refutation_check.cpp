@@ -8,12 +8,18 @@ namespace {
 
 bool holds(Relation relation, int sign) {
   switch (relation) {
-    case Relation::equal: return sign == 0;
-    case Relation::not_equal: return sign != 0;
-    case Relation::less: return sign < 0;
-    case Relation::less_equal: return sign <= 0;
-    case Relation::greater: return sign > 0;
-    default: return sign >= 0;
+    case Relation::equal:
+      return sign == 0;
+    case Relation::not_equal:
+      return sign != 0;
+    case Relation::less:
+      return sign < 0;
+    case Relation::less_equal:
+      return sign <= 0;
+    case Relation::greater:
+      return sign > 0;
+    default:
+      return sign >= 0;
   }
 }
 
@@ -37,7 +43,8 @@ class RefutationChecker {
       for (std::size_t k = 0; k < value.components.size(); ++k) {
         const Atom atom = field_.coordinate(index, k);
         everything_.emplace(atom, value.components[k]);
-        if (symbol.role != Symbol::Role::parameter) not_parameters_.emplace(atom, value.components[k]);
+        if (symbol.role != Symbol::Role::parameter)
+          not_parameters_.emplace(atom, value.components[k]);
       }
     }
   }
@@ -47,8 +54,8 @@ class RefutationChecker {
     for (const auto* statements : {&sequent.hypotheses, &sequent.conclusions})
       for (const Statement& statement : *statements)
         for (const NodeIndex side : {statement.left, statement.right})
-          require_values(side, statements == &sequent.hypotheses &&
-                                   statement.relation == Relation::equal);
+          require_values(
+              side, statements == &sequent.hypotheses && statement.relation == Relation::equal);
     for (const Range& range : sequent.ranges)
       for (const NodeIndex end : {range.lower, range.upper}) require_values(end, false);
     for (std::size_t k = 0; k < sequent.ranges.size(); ++k)
@@ -194,8 +201,8 @@ class RefutationChecker {
     return functions && parameters;
   }
 
-  // Whether `0 < f(u)` is about one u or about the function may be read in two ways: the values have
-  // to do for both.
+  // Whether `0 < f(u)` is about one u or about the function may be read in two ways: the values
+  // have to do for both.
   void require_everywhere(const Statement& statement, const Value& difference) {
     for (const Polynomial& divisor : difference.divisors)
       if (!is_nonzero(as_quotient(divisor), box_, field_))

@@ -1,6 +1,6 @@
 // Square roots of numbers as atoms: sqrt(12/5) is 2/5 * sqrt(3) * sqrt(5), where sqrt(3)^2 = 3.
-// Roots of different primes are linearly independent over the rational numbers, with their products:
-// a polynomial in them is zero only if it looks so.
+// Roots of different primes are linearly independent over the rational numbers, with their
+// products: a polynomial in them is zero only if it looks so.
 #include <recheck/field.hpp>
 
 namespace recheck {

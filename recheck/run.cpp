@@ -47,10 +47,12 @@ std::string line_of(const Outcome& outcome, std::size_t width) {
   const std::string gap(width > claim.size() ? width - claim.size() : 0, ' ');
   const std::string start = claim + gap + "  ";
   switch (outcome.kind) {
-    case Outcome::Kind::rechecked: return "  " + start + "RECHECKED\n";
+    case Outcome::Kind::rechecked:
+      return "  " + start + "RECHECKED\n";
     case Outcome::Kind::rejected:
       return "! " + start + "REJECTED (" + printable(outcome.reason) + ")\n";
-    default: return "? " + start + "UNKNOWN (" + printable(outcome.reason) + ")\n";
+    default:
+      return "? " + start + "UNKNOWN (" + printable(outcome.reason) + ")\n";
   }
 }
 

@@ -37,8 +37,7 @@ Statement statement_of(const Place& place, const Certificate& certificate) {
       static_cast<Relation>(place["relation"].one_of({"==", "!=", "<", "<=", ">", ">="}));
   const Type& type = certificate.nodes[result.left].type;
   if (!(type == certificate.nodes[result.right].type)) place.fail("sides of different types");
-  const bool order =
-      result.relation != Relation::equal && result.relation != Relation::not_equal;
+  const bool order = result.relation != Relation::equal && result.relation != Relation::not_equal;
   if (order && !type.is_scalar()) place.fail("only scalars are in an order");
   return result;
 }

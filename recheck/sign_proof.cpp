@@ -39,7 +39,8 @@ void SignChecker::follow(const SignProof& proof, const Quotient& goal, bool stri
   at_place(start + "cut", [&] { divisors_.require(cut.divisors); });
   for (std::size_t k = 0; k < proof.cases.size(); ++k) {
     std::vector<Fact> known = facts;
-    known.push_back({field_.multiple(cut.components.front(), k == 0 ? 1 : -1), false, cut.divisors});
+    known.push_back(
+        {field_.multiple(cut.components.front(), k == 0 ? 1 : -1), false, cut.divisors});
     follow(proof.cases[k], goal, strict, std::move(known), start + "cut." + numbered("cases", k));
   }
 }

@@ -12,7 +12,10 @@ Fact multiple_of(const Cofactor& cofactor, const Premises& premises, Evaluator& 
 class SignChecker {
  public:
   SignChecker(const Premises& premises, const Divisors& divisors, Evaluator& evaluator)
-      : premises_{premises}, divisors_{divisors}, evaluator_{evaluator}, field_{evaluator.field()} {}
+      : premises_{premises},
+        divisors_{divisors},
+        evaluator_{evaluator},
+        field_{evaluator.field()} {}
 
   /// Requires that the proof shows that the scalar is not negative, or positive.
   /// @throws Rejection, with the part of the proof that fails

@@ -31,8 +31,7 @@ class Substitution {
     for (const auto& [monomial, coefficient] : a) {
       Monomial changing;
       Monomial kept;
-      for (const Power& power : monomial)
-        (image(power.atom) ? changing : kept).push_back(power);
+      for (const Power& power : monomial) (image(power.atom) ? changing : kept).push_back(power);
       field_.meter().spend(1 + monomial.size());
       add(parts[changing], kept, coefficient);
     }
@@ -67,8 +66,7 @@ class Substitution {
     bool changed = false;
     for (const Quotient& argument : meaning.arguments) {
       bool same = unchanged(argument.numerator);
-      for (const auto& [factor, exponent] : argument.denominator)
-        same = same && unchanged(factor);
+      for (const auto& [factor, exponent] : argument.denominator) same = same && unchanged(factor);
       arguments.push_back(same ? argument : of(argument));
       changed = changed || !same;
     }

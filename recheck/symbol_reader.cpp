@@ -44,9 +44,12 @@ Type type_at(const Place& place, const Limits& limits) {
 
 bool fits(Symbol::Role role, const Type& type) {
   switch (role) {
-    case Symbol::Role::point: return type.kind == Type::Kind::point && !type.is_function();
-    case Symbol::Role::function: return type.is_function();
-    default: return type.is_scalar();
+    case Symbol::Role::point:
+      return type.kind == Type::Kind::point && !type.is_function();
+    case Symbol::Role::function:
+      return type.is_function();
+    default:
+      return type.is_scalar();
   }
 }
 

@@ -28,30 +28,62 @@ class Typing {
   Type type() const {
     switch (node_.operation) {
       case Operation::number:
-      case Operation::pi: return leaf(Type{});
-      case Operation::symbol: return leaf(symbols_.at(node_.symbol).type);
-      case Operation::tuple: return tuple();
-      case Operation::matrix: return matrix();
-      case Operation::sum: return sum();
-      case Operation::product: return product();
-      case Operation::negation: require_count(1); return value(0);
-      case Operation::quotient: require_count(2); require_scalar(1); return value(0);
-      case Operation::lambda: return lambda();
-      case Operation::apply: return apply();
-      case Operation::derivative: return derivative();
-      case Operation::integral: return integral();
-      case Operation::definition: require(count() > 0, "a definition without expansion"); return of(0);
-      case Operation::component: return component();
-      case Operation::entry: return part(true);
-      case Operation::slice: return part(false);
-      case Operation::transpose: return transpose();
-      case Operation::matrix_product: return matrix_product();
-      case Operation::determinant: return determinant();
-      case Operation::dot: require_points(false); return Type{};
-      case Operation::cross: require_points(true); return of(0);
-      case Operation::bspline_basis: require_knots(); return scalar();
-      case Operation::bernstein: require(node_.indices[0] <= limits_.order, "a degree too large"); return scalar();
-      default: return scalar();  // powers, square roots, sines, cosines, exponentials
+      case Operation::pi:
+        return leaf(Type{});
+      case Operation::symbol:
+        return leaf(symbols_.at(node_.symbol).type);
+      case Operation::tuple:
+        return tuple();
+      case Operation::matrix:
+        return matrix();
+      case Operation::sum:
+        return sum();
+      case Operation::product:
+        return product();
+      case Operation::negation:
+        require_count(1);
+        return value(0);
+      case Operation::quotient:
+        require_count(2);
+        require_scalar(1);
+        return value(0);
+      case Operation::lambda:
+        return lambda();
+      case Operation::apply:
+        return apply();
+      case Operation::derivative:
+        return derivative();
+      case Operation::integral:
+        return integral();
+      case Operation::definition:
+        require(count() > 0, "a definition without expansion");
+        return of(0);
+      case Operation::component:
+        return component();
+      case Operation::entry:
+        return part(true);
+      case Operation::slice:
+        return part(false);
+      case Operation::transpose:
+        return transpose();
+      case Operation::matrix_product:
+        return matrix_product();
+      case Operation::determinant:
+        return determinant();
+      case Operation::dot:
+        require_points(false);
+        return Type{};
+      case Operation::cross:
+        require_points(true);
+        return of(0);
+      case Operation::bspline_basis:
+        require_knots();
+        return scalar();
+      case Operation::bernstein:
+        require(node_.indices[0] <= limits_.order, "a degree too large");
+        return scalar();
+      default:
+        return scalar();  // powers, square roots, sines, cosines, exponentials
     }
   }
 
@@ -162,7 +194,8 @@ class Typing {
   Type derivative() const {
     const Type& result = function();
     require_count(1);
-    require(node_.indices.size() == result.arguments, "a derivative needs an order for each argument");
+    require(node_.indices.size() == result.arguments,
+            "a derivative needs an order for each argument");
     for (const std::size_t order : node_.indices)
       require(order <= limits_.order, "an order too large");
     return result;
@@ -225,7 +258,8 @@ class Typing {
   Type determinant() const {
     require_count(1);
     require_matrix(0);
-    require(of(0).rows == of(0).columns && !of(0).has_points(), "a square matrix of scalars is needed here");
+    require(of(0).rows == of(0).columns && !of(0).has_points(),
+            "a square matrix of scalars is needed here");
     return Type{};
   }
 

@@ -11,9 +11,9 @@ class WrongType : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The type of a node, by those of its children; what is given with the node is checked. The type of
-/// the node says, as it comes, only the extents of a matrix and whether a tuple is a point of any
-/// dimension.
+/// The type of a node, by those of its children; what is given with the node is checked. The type
+/// of the node says, as it comes, only the extents of a matrix and whether a tuple is a point of
+/// any dimension.
 /// @throws WrongType
 Type type_of(const Node& node, const std::vector<Node>& nodes, const std::vector<Symbol>& symbols,
              const Limits& limits);

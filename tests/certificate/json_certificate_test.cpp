@@ -19,7 +19,8 @@ TEST_CASE("A certificate as JSON, in a few lines and always the same", "[literat
         R"({
   "format": "patchproof certificate",
   "version": 1,
-  "program": ")" + program + R"(",
+  "program": ")" +
+            program + R"(",
   "case": "t",
   "certificates": [
     {
@@ -83,7 +84,8 @@ TEST_CASE("Every operation is written and read again", "[law]") {
   const Sequent sequent = claims.sequent(label);
   SequentProof proof = by_equations(sequent, {});
   const std::size_t count = sequent.conclusions.at(0).left.type().component_count();
-  for (std::size_t k = 1; k < count; ++k) proof.components.push_back({0, k, EquationProof{}, false});
+  for (std::size_t k = 1; k < count; ++k)
+    proof.components.push_back({0, k, EquationProof{}, false});
   CHECK(judged(document_of(proof)) == "RECHECKED");
 }
 

@@ -85,16 +85,16 @@ TEST_CASE("Changes of a proof by equations are noticed", "[law]") {
     prove below: 1 + a^2 == 0
     prove one: 1 == 0
     prove half: 1/2 == 0)"};
-  SequentProof proof = by_equations(
-      claims.sequent("slope"), {{{0, 0, {claims.term("half")}, {1}}, claims.term("one")}});
-  proof.not_zero = {{claims.term("below"), std::nullopt,
-                     SignProof{{}, Combination{{{1, {}, {}}, {1, {claims.term("a_term")}, {}}}, {}}},
-                     false}};
+  SequentProof proof = by_equations(claims.sequent("slope"),
+                                    {{{0, 0, {claims.term("half")}, {1}}, claims.term("one")}});
+  proof.not_zero = {
+      {claims.term("below"), std::nullopt,
+       SignProof{{}, Combination{{{1, {}, {}}, {1, {claims.term("a_term")}, {}}}, {}}}, false}};
   const std::string good = document_of(proof);
   REQUIRE(judged(good) == "RECHECKED");
   std::size_t tried = 0;
-  // 0/(1 + a^2) on both sides, more places for the hypothesis, a function as smooth as it has to be:
-  // each of these is a right proof of another statement.
+  // 0/(1 + a^2) on both sides, more places for the hypothesis, a function as smooth as it has to
+  // be: each of these is a right proof of another statement.
   CHECK(unnoticed(good, "", tried) ==
         Lines{"/nodes/13/children/0: 7 -> 6",
               "/proofs/0/sequent/ranges: [{\"lower\":6,\"parameter\":1,\"upper\":7}] -> []",
@@ -112,18 +112,17 @@ TEST_CASE("Changes of a proof of a sign are noticed", "[law]") {
     prove b_term: b == 0
     prove cut_at: b - 2*a == 0)"};
   // Fact 0 is a, 1 is b - a, 2 is b, shown in a step, 3 is b - 2*a or 2*a - b.
-  const SignProof::Step step{claims.term("b_term"), true,
-                             {{{1, {}, {{0, 1}}}, {1, {}, {{1, 1}}}}, {}}};
+  const SignProof::Step step{
+      claims.term("b_term"), true, {{{1, {}, {{0, 1}}}, {1, {}, {{1, 1}}}}, {}}};
   const SignProof half{
       {}, Combination{{{1, {}, {{0, 1}, {2, 1}}}, {1, {claims.term("a_term")}, {{3, 2}}}}, {}}};
   SequentProof proof = by_facts(claims.sequent("sign"), {});
-  proof.components[0].why =
-      SignProof{{step}, SignProof::Cut{claims.term("cut_at"), {half, half}}};
+  proof.components[0].why = SignProof{{step}, SignProof::Cut{claims.term("cut_at"), {half, half}}};
   const std::string good = document_of(proof);
   REQUIRE(judged(good) == "RECHECKED");
   std::size_t tried = 0;
-  // Statement and proof have nodes in common, so a changed node is mostly another true statement. Of
-  // the rest: a weaker conclusion, a stronger hypothesis.
+  // Statement and proof have nodes in common, so a changed node is mostly another true statement.
+  // Of the rest: a weaker conclusion, a stronger hypothesis.
   CHECK(unnoticed(good, "/proofs", tried) ==
         Lines{"/proofs/0/sequent/conclusions/0/relation: \">\" -> \"!=\"",
               "/proofs/0/sequent/conclusions/0/relation: \">\" -> \">=\"",

@@ -109,6 +109,12 @@ TEST_CASE("A division by zero is found", "[reject]") {
     prove pole: a*f(a-a) == 0)"};
   CHECK(judged(document_of(by_equations(claims.sequent("pole"), {}))) ==
         "REJECTED proofs[0].sequent: division by zero");
+  // The value 0/t is 0, but not at 0.
+  const Claims zero{R"(
+    scalar a, f(t) = (t - t)/t
+    prove gone: f(a - a) == 0)"};
+  CHECK(judged(document_of(by_equations(zero.sequent("gone"), {}))) ==
+        "REJECTED proofs[0].sequent: division by zero");
 }
 
 TEST_CASE("A hint shows a divisor that is a part of a product", "[law]") {
@@ -123,4 +129,45 @@ TEST_CASE("A hint shows a divisor that is a part of a product", "[law]") {
   proof.divisors = {{quotients().term("sum"), {0, 1}}};
   CHECK(judged(document_of(proof)) ==
         "REJECTED proofs[0].divisors[0]: a + b does not divide the product of the scalars");
+  proof.divisors = {{number_term(0), {0, 1}}};
+  CHECK(judged(document_of(proof)) == "REJECTED proofs[0].divisors[0]: the factor is zero");
+}
+
+TEST_CASE("A divisor may be a part of what is not zero, or of several such scalars", "[law]") {
+  const Claims claims{R"(
+    scalar a, b, c, d
+    assume first: a*b > 0
+    assume second: c*d > 0
+    prove part: 1/a == 1/a
+    prove parts: 1/(a*c) == 1/(a*c)
+    prove other: 1/(a + c) == 1/(a + c)
+    prove ab: a*b == 0
+    prove cd: c*d == 0)"};
+  const auto shown = [&](const std::string& label) {
+    SequentProof proof = by_equations(claims.sequent(label), {});
+    const auto fact = [&](const std::string& scalar, std::size_t index) {
+      return NonZero{claims.term(scalar), std::nullopt,
+                     SignProof{{}, Combination{{{1, {}, {{index, 1}}}}, {}}}, false};
+    };
+    proof.not_zero = {fact("ab", 0), fact("cd", 1)};
+    return judged(document_of(proof));
+  };
+  CHECK(shown("part") == "RECHECKED");
+  CHECK(shown("parts") == "RECHECKED");
+  CHECK(shown("other") ==
+        "REJECTED proofs[0].sequent: the divisor a + c is not shown not to be zero");
+}
+
+TEST_CASE("The ends of a range divide by nothing that may be zero", "[reject]") {
+  const Claims claims{R"(
+    scalar a
+    param u in [0, 1]
+    prove same: u + a == a + u
+    prove end: 1/a == 0)"};
+  for (const bool upper : {false, true}) {
+    Sequent sequent = claims.sequent("same");
+    (upper ? sequent.ranges.at(0).upper : sequent.ranges.at(0).lower) = claims.term("end");
+    CHECK(judged(document_of(by_equations(sequent, {}))) ==
+          "REJECTED proofs[0].sequent: the divisor a is not shown not to be zero");
+  }
 }

@@ -53,8 +53,8 @@ TEST_CASE("A wrong factor, value or order of a hypothesis is rejected", "[reject
   CHECK(shown("at_half", multiple("half", "two")) ==
         "REJECTED proofs[0].components[0]: left - right is not the sum: f1(1/2) + f2(1/2) - 1 is "
         "left");
-  CHECK(shown("at_half", multiple("one", "three")).starts_with(
-      "REJECTED proofs[0].components[0]: left - right is not the sum: "));
+  CHECK(shown("at_half", multiple("one", "three"))
+            .starts_with("REJECTED proofs[0].components[0]: left - right is not the sum: "));
   CHECK(shown("slope", multiple("zero", "one", 2)) ==
         "REJECTED proofs[0].components[0].equation[0]: a derivative of order 2 of 'f1', which is "
         "only assumed C^1");
@@ -127,8 +127,9 @@ TEST_CASE("Where a hypothesis restricts a parameter, an equation is used at the 
     prove zero_term: 0 == 1
     prove one_term: 1 == 0)"};
   const auto at = [&](const std::string& label, const std::string& value, int order) {
-    return judged(document_of(by_equations(
-        claims.sequent(label), {{{0, 0, {claims.term(value)}, {order}}, claims.term("one_term")}})));
+    return judged(document_of(
+        by_equations(claims.sequent(label),
+                     {{{0, 0, {claims.term(value)}, {order}}, claims.term("one_term")}})));
   };
   CHECK(at("here", "u_term", 0) == "RECHECKED");
   CHECK(at("there", "zero_term", 0) ==
@@ -144,6 +145,7 @@ TEST_CASE("No derivative of an equation on a range of one point", "[reject]") {
       document_of(by_equations(blends().sequent("slope"), {multiple("zero", "one", 1)}));
   const auto lower = nlohmann::json::parse(good).at(
       nlohmann::json::json_pointer{proof + "/sequent/ranges/0/lower"});
-  CHECK(judged(changed(good, proof + "/sequent/ranges/0/upper", lower)) ==
-        "REJECTED proofs[0].components[0].equation[0]: a derivative in 'u', whose range is a point");
+  CHECK(
+      judged(changed(good, proof + "/sequent/ranges/0/upper", lower)) ==
+      "REJECTED proofs[0].components[0].equation[0]: a derivative in 'u', whose range is a point");
 }

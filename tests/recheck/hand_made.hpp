@@ -12,7 +12,8 @@
 #include <recheck/place.hpp>
 #include <recheck/recheck.hpp>
 
-/// Certificates made by hand: statements are read from a case, proofs are written down in the tests.
+/// Certificates made by hand: statements are read from a case, proofs are written down in the
+/// tests.
 namespace patchproof::test {
 
 /// The claims of one case, by their labels.
@@ -22,9 +23,8 @@ class Claims {
   explicit Claims(const std::string& statements) {
     const auto source = std::make_shared<const SourceText>(
         SourceText{"test.proof", "case t\n" + statements + "\nend\n"});
-    const ReadFile read = read_cases(source, Limits{}, [](const std::string&) {
-      return std::optional<std::string>{};
-    });
+    const ReadFile read = read_cases(
+        source, Limits{}, [](const std::string&) { return std::optional<std::string>{}; });
     std::string messages;
     for (const Diagnostic& diagnostic : read.diagnostics) messages += to_text(diagnostic);
     if (!messages.empty()) throw std::invalid_argument{messages};

@@ -16,7 +16,8 @@ struct Setting {
   Field field{symbols, meter};
 
   Setting() {
-    for (const char* name : {"x", "y", "z"}) symbols.push_back({name, Symbol::Role::scalar, {}, 0, symbols.size()});
+    for (const char* name : {"x", "y", "z"})
+      symbols.push_back({name, Symbol::Role::scalar, {}, 0, symbols.size()});
     Type function;
     function.arguments = 1;
     symbols.push_back({"f", Symbol::Role::function, function, 5, 3});
@@ -28,7 +29,8 @@ struct Setting {
 Quotient random_polynomial(Setting& s, std::mt19937& seed) {
   Quotient result;
   for (int k = 0; k < 3; ++k) {
-    Quotient term = number(Rational{static_cast<int>(seed() % 7) - 3, 1 + static_cast<int>(seed() % 3)});
+    Quotient term =
+        number(Rational{static_cast<int>(seed() % 7) - 3, 1 + static_cast<int>(seed() % 3)});
     for (SymbolIndex letter = 0; letter < 3; ++letter)
       term = s.field.product(term, s.field.power(s.letter(letter), seed() % 3));
     result = s.field.sum(result, term);
@@ -52,8 +54,7 @@ TEST_CASE("The second checker's fractions are a field", "[law]") {
     INFO("a = " << s.field.text(a) << ", b = " << s.field.text(b) << ", c = " << s.field.text(c));
     const Quotient ab = s.field.product(a, s.field.inverse(b));
     CHECK(equal(s, s.field.product(ab, b), a));
-    CHECK(equal(s, s.field.product(s.field.sum(ab, c), b),
-                s.field.sum(a, s.field.product(b, c))));
+    CHECK(equal(s, s.field.product(s.field.sum(ab, c), b), s.field.sum(a, s.field.product(b, c))));
     CHECK(equal(s, s.field.power(ab, 3), s.field.product(ab, s.field.product(ab, ab))));
     const Quotient product = s.field.product(b, c);
     const auto quotient = exact_quotient(product.numerator, b.numerator, s.meter);
@@ -77,7 +78,8 @@ TEST_CASE("The second checker differentiates products, quotients and functions o
     const Quotient b = field.sum(random_polynomial(s, seed), number(11));
     const Quotient fa = f(0, a);
     INFO("a = " << field.text(a) << ", b = " << field.text(b));
-    CHECK(equal(s, d(field.product(fa, b)), field.sum(field.product(d(fa), b), field.product(fa, d(b)))));
+    CHECK(equal(s, d(field.product(fa, b)),
+                field.sum(field.product(d(fa), b), field.product(fa, d(b)))));
     CHECK(equal(s, d(fa), field.product(f(1, a), d(a))));
     const Quotient ratio = field.product(fa, field.inverse(b));
     CHECK(equal(s, field.product(d(ratio), field.product(b, b)),
@@ -86,9 +88,9 @@ TEST_CASE("The second checker differentiates products, quotients and functions o
     const Images images{{field.coordinate(1, 0), b}};
     const Quotient in_z = field.product(fa, s.letter(2));
     const Quotient independent = substituted(random_polynomial(s, seed), {{x, number(2)}}, field);
-    CHECK(equal(s, substituted(field.product(in_z, independent), images, field),
-                field.product(substituted(in_z, images, field),
-                              substituted(independent, images, field))));
+    CHECK(equal(
+        s, substituted(field.product(in_z, independent), images, field),
+        field.product(substituted(in_z, images, field), substituted(independent, images, field))));
     // The integral of a derivative is the difference of the values at the ends.
     const Quotient whole = integral(d(a), x, number(-1), b, field);
     CHECK(equal(s, whole,
@@ -102,8 +104,7 @@ TEST_CASE("Functions at equal arguments are equal, however these are written", "
   Field& field = s.field;
   const Quotient sum = field.sum(s.letter(0), s.letter(1));
   const Quotient difference = field.difference(s.letter(0), s.letter(1));
-  const Quotient written =
-      field.product(field.product(sum, difference), field.inverse(difference));
+  const Quotient written = field.product(field.product(sum, difference), field.inverse(difference));
   CHECK(field.jet(3, 0, {0}, {sum}) == field.jet(3, 0, {0}, {written}));
   CHECK(field.jet(3, 0, {0}, {sum}) != field.jet(3, 0, {0}, {difference}));
   CHECK_THROWS_WITH(field.jet(3, 0, {6}, {sum}),

@@ -90,8 +90,9 @@ TEST_CASE("Symbols have one ordinal each, and the type of their role", "[reject]
         "unreadable: certificates[0].symbols[0].type.point: a point has coordinates");
   CHECK(with(first + "/symbols/0/type", {{"point", 1000000}}) ==
         "unreadable: certificates[0].symbols[0].type.point: 1000000 is too large");
-  CHECK(with(first + "/symbols/0/type", {{"function", nlohmann::json::array()}, {"to", "scalar"}}) ==
-        "unreadable: certificates[0].symbols[0].type.function: a wrong number of parameters");
+  CHECK(
+      with(first + "/symbols/0/type", {{"function", nlohmann::json::array()}, {"to", "scalar"}}) ==
+      "unreadable: certificates[0].symbols[0].type.function: a wrong number of parameters");
 }
 
 TEST_CASE("Nodes stand behind their children, so there are no cycles", "[reject]") {
@@ -133,8 +134,7 @@ TEST_CASE("Nodes that are no mathematics are refused", "[reject]") {
   CHECK(node("product", {point, point}) == ": two factors that are no scalars");
   CHECK(node("quotient", {scalar, point}) == ": a scalar is needed here");
   CHECK(node("power", {point}, {{"exponent", 2}}) == ": a scalar is needed here");
-  CHECK(node("power", {scalar}, {{"exponent", 1000000}}) ==
-        ".exponent: this number is too large");
+  CHECK(node("power", {scalar}, {{"exponent", 1000000}}) == ".exponent: this number is too large");
   CHECK(node("power", {scalar}, {{"exponent", 18446744073709551615ULL}}) ==
         ".exponent: this number is too large");
   CHECK(node("apply", {scalar, scalar}) == ": a function is needed here");
@@ -142,8 +142,7 @@ TEST_CASE("Nodes that are no mathematics are refused", "[reject]") {
   CHECK(node("entry", {point}, {{"indices", {0, 0}}}) == ": a matrix is needed here");
   CHECK(node("matrix", {scalar, point}, {{"rows", 1}, {"columns", 2}}) ==
         ": the entries of a matrix are scalars or points, all of one type");
-  CHECK(node("matrix", {scalar}, {{"rows", 2}, {"columns", 2}}) ==
-        ": a wrong number of children");
+  CHECK(node("matrix", {scalar}, {{"rows", 2}, {"columns", 2}}) == ": a wrong number of children");
   CHECK(node("determinant", {scalar}) == ": a matrix is needed here");
   CHECK(node("dot", {point, scalar}) == ": two points of one known dimension are needed here");
   CHECK(node("cross", {point, point}) == ": two points in R^3 are needed here");

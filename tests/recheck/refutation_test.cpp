@@ -39,8 +39,8 @@ SymbolPointer named(const Sequent& sequent, const std::string& name) {
 Refutation at(const std::string& label, const Rational& u, const Rational& a, const Rational& b) {
   const Sequent sequent = wrong().sequent(label);
   const SymbolPointer f = named(sequent, "f");
-  const SymbolPointer t = std::make_shared<const Symbol>(
-      Symbol{"t", Symbol::Role::bound, Type::scalar(), 0, ~0U});
+  const SymbolPointer t =
+      std::make_shared<const Symbol>(Symbol{"t", Symbol::Role::bound, Type::scalar(), 0, ~0U});
   const Term square = make_term(Operation::power, Type::scalar(), {symbol_term(t)}, 2L);
   const Term body = make_term(Operation::product, Type::scalar(), {number_term(a), square});
   const Term function = make_term(Operation::lambda, f->type, {body}, Formals{t});
@@ -140,8 +140,8 @@ TEST_CASE("A hypothesis about a function may be about all parameters", "[law]") 
     refute one: f(u) == 1)"};
   const Sequent sequent = claims.sequent("one");
   const SymbolPointer f = named(sequent, "f");
-  const SymbolPointer t = std::make_shared<const Symbol>(
-      Symbol{"t", Symbol::Role::bound, Type::scalar(), 0, ~0U});
+  const SymbolPointer t =
+      std::make_shared<const Symbol>(Symbol{"t", Symbol::Role::bound, Type::scalar(), 0, ~0U});
   const auto with = [&](const Rational& start, const Rational& slope) {
     const Term part =
         make_term(Operation::product, Type::scalar(), {number_term(slope), symbol_term(t)});
@@ -152,7 +152,78 @@ TEST_CASE("A hypothesis about a function may be about all parameters", "[law]") 
   };
   CHECK(with(2, 0) == "RECHECKED");
   CHECK(with(1, 2) == "RECHECKED");
-  CHECK(with(0, 3) ==
-        "UNKNOWN refutation.sequent.hypotheses[0]: whether the hypothesis holds for all parameters");
+  CHECK(
+      with(0, 3) ==
+      "UNKNOWN refutation.sequent.hypotheses[0]: whether the hypothesis holds for all parameters");
   CHECK(with(-1, 1).starts_with("REJECTED refutation.sequent.hypotheses[0]: "));
+}
+
+TEST_CASE("Points differ when one coordinate does", "[law]") {
+  const Claims claims{R"(
+    point P in R^2
+    point Q in R^2
+    assume apart: P != Q
+    refute first: P.x == Q.x + 5
+    refute differ: P != Q)"};
+  const auto values = [](const Sequent& sequent, const Rational& x) {
+    const auto point = [](const Rational& first) {
+      return make_term(Operation::tuple, Type::point(2), {number_term(first), number_term(0)});
+    };
+    return judged(document_of(Refutation{
+        sequent, {{named(sequent, "P"), point(0)}, {named(sequent, "Q"), point(x)}}, 0, 0}));
+  };
+  CHECK(values(claims.sequent("first"), 1) == "RECHECKED");
+  CHECK(values(claims.sequent("first"), 0) ==
+        "REJECTED refutation.sequent.hypotheses[0]: the hypothesis does not hold: left - right is "
+        "0");
+  Sequent alone = claims.sequent("differ");
+  alone.hypotheses.clear();
+  CHECK(values(alone, 0) == "RECHECKED");
+  CHECK(values(alone, 1) ==
+        "REJECTED refutation.sequent.conclusions[0]: the statement is true at the values: left - "
+        "right is -1");
+  // The second coordinates are equal, but the points differ.
+  CHECK(judged(changed(document_of(Refutation{
+                           alone,
+                           {{named(alone, "P"), make_term(Operation::tuple, Type::point(2),
+                                                          {number_term(1), number_term(0)})},
+                            {named(alone, "Q"), make_term(Operation::tuple, Type::point(2),
+                                                          {number_term(2), number_term(0)})}},
+                           0,
+                           0}),
+                       refutation + "/component", 1))
+            .starts_with("REJECTED"));
+}
+
+TEST_CASE("A hypothesis must not divide by zero anywhere", "[reject]") {
+  const Claims claims{R"(
+    param u in [0, 1]
+    scalar f(t)
+    assume ratio: f(u)/u == 1
+    refute value: f(2) == 3)"};
+  const Sequent sequent = claims.sequent("value");
+  const SymbolPointer f = named(sequent, "f");
+  const SymbolPointer t =
+      std::make_shared<const Symbol>(Symbol{"t", Symbol::Role::bound, Type::scalar(), 0, ~0U});
+  const auto with = [&](const Term& body) {
+    const Term function = make_term(Operation::lambda, f->type, {body}, Formals{t});
+    return document_of(Refutation{sequent, {{f, function}}, 0, 0});
+  };
+  // The parameter u has no value: the equation is there for all of them.
+  CHECK(judged(with(symbol_term(t))) ==
+        "UNKNOWN refutation.sequent.hypotheses[0]: whether the divisor u has a zero");
+  const Term inverse =
+      make_term(Operation::quotient, Type::scalar(), {number_term(1), symbol_term(t)});
+  CHECK(judged(with(inverse)) == "REJECTED refutation: the value of 'f' is no polynomial");
+  const Term hidden =
+      make_term(Operation::quotient, Type::scalar(), {number_term(0), symbol_term(t)});
+  CHECK(judged(with(hidden)) == "REJECTED refutation: the value of 'f' is no polynomial");
+  const std::string good = with(symbol_term(t));
+  const auto json = nlohmann::json::parse(good);
+  const auto range = json.at(nlohmann::json::json_pointer{refutation + "/sequent/ranges/0"});
+  nlohmann::json turned = range;
+  turned["lower"] = range["upper"];
+  turned["upper"] = range["lower"];
+  CHECK(judged(changed(good, refutation + "/sequent/ranges/0", turned)) ==
+        "REJECTED refutation.sequent.ranges[0]: the range of 'u' is empty");
 }

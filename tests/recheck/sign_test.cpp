@@ -68,8 +68,8 @@ TEST_CASE("What may be zero is not positive", "[reject]") {
 }
 
 TEST_CASE("A step is a fact for what follows, as strict as it was shown", "[law]") {
-  const SignProof::Step step{bounds().term("b_term"), true,
-                             {{product({{2, 1}}), product({{3, 1}})}, {}}};
+  const SignProof::Step step{
+      bounds().term("b_term"), true, {{product({{2, 1}}), product({{3, 1}})}, {}}};
   SequentProof proof = by_facts(bounds().sequent("product"), {});
   proof.components[0].why = SignProof{{step}, Combination{{product({{2, 1}, {4, 1}})}, {}}};
   const std::string good = document_of(proof);
@@ -93,8 +93,8 @@ TEST_CASE("A cut needs both cases, and each has its own fact", "[law]") {
       {}, SignProof::Cut{bounds().term("cut_at"), {SignProof{{}, half}, SignProof{{}, half}}}};
   const std::string good = document_of(proof);
   CHECK(judged(good) == "RECHECKED");
-  nlohmann::json one = nlohmann::json::parse(good)
-      ["certificates"][0]["proofs"][0]["components"][0]["sign"]["cut"]["cases"];
+  nlohmann::json one = nlohmann::json::parse(
+      good)["certificates"][0]["proofs"][0]["components"][0]["sign"]["cut"]["cases"];
   one.erase(1);
   CHECK(judged(changed(good, sign + "/cut/cases", one)) ==
         "unreadable: certificates[0].proofs[0].components[0].sign.cut.cases: a cut has two cases");
@@ -107,23 +107,23 @@ TEST_CASE("A cut needs both cases, and each has its own fact", "[law]") {
 
 TEST_CASE("Scalars differ when their difference or its negative is positive", "[law]") {
   // 0 - (a + b) is negative: a + b = 2*a + (b - a)
-  SequentProof proof = by_facts(bounds().sequent("differs"),
-                                {{product({{2, 1}}, 2), product({{3, 1}})}, {}});
+  SequentProof proof =
+      by_facts(bounds().sequent("differs"), {{product({{2, 1}}, 2), product({{3, 1}})}, {}});
   proof.components[0].negative = true;
   CHECK(judged(document_of(proof)) == "RECHECKED");
   proof.components[0].negative = false;
   CHECK(judged(document_of(proof))
             .starts_with("REJECTED proofs[0].components[0].end: -a - b is not the sum: "));
-  const std::string good = document_of(by_facts(bounds().sequent("inside"),
-                                                {{product({{0, 1}, {1, 1}})}, {}}));
+  const std::string good =
+      document_of(by_facts(bounds().sequent("inside"), {{product({{0, 1}, {1, 1}})}, {}}));
   nlohmann::json json = nlohmann::json::parse(good);
   json["certificates"][0]["proofs"][0]["components"][0]["negative"] = true;
   CHECK(judged(json.dump()) == "REJECTED proofs[0].components[0]: 'negative' belongs to != only");
 }
 
 TEST_CASE("Coefficients are positive, exponents too", "[reject]") {
-  const std::string good = document_of(by_facts(bounds().sequent("inside"),
-                                                {{product({{0, 1}, {1, 1}})}, {}}));
+  const std::string good =
+      document_of(by_facts(bounds().sequent("inside"), {{product({{0, 1}, {1, 1}})}, {}}));
   CHECK(judged(changed(good, sign + "/end/summands/0/coefficient", "-1")) ==
         "unreadable: certificates[0].proofs[0].components[0].sign.end.summands[0].coefficient: a "
         "positive number is needed here");

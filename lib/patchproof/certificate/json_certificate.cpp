@@ -12,12 +12,18 @@ using Json = CertificateJson;
 
 const char* sign_of(Relation relation) {
   switch (relation) {
-    case Relation::equal: return "==";
-    case Relation::not_equal: return "!=";
-    case Relation::less: return "<";
-    case Relation::less_equal: return "<=";
-    case Relation::greater: return ">";
-    case Relation::greater_equal: return ">=";
+    case Relation::equal:
+      return "==";
+    case Relation::not_equal:
+      return "!=";
+    case Relation::less:
+      return "<";
+    case Relation::less_equal:
+      return "<=";
+    case Relation::greater:
+      return ">";
+    case Relation::greater_equal:
+      return ">=";
   }
   throw std::logic_error{"a relation without a sign"};
 }
@@ -26,8 +32,8 @@ const char* sign_of(Relation relation) {
 class Writer {
  public:
   Json of(const Certificate& certificate) {
-    const Json content = std::visit([&](const auto& c) { return of_content(c); },
-                                    certificate.content);
+    const Json content =
+        std::visit([&](const auto& c) { return of_content(c); }, certificate.content);
     Json result{{"claim", certificate.claim},
                 {"statement", certificate.statement},
                 {"symbols", table_.symbols()},
@@ -47,12 +53,13 @@ class Writer {
 
   Json of_content(const std::vector<SequentProof>& proofs) {
     return list(proofs, [&](const SequentProof& proof) {
-      return Json{{"sequent", of(proof.sequent)},
-                  {"components", list(proof.components, [&](const auto& c) { return of(c, proof); })},
-                  {"not_zero", list(proof.not_zero, [&](const auto& n) { return of(n, proof); })},
-                  {"divisors", list(proof.divisors, [&](const Divisor& d) {
-                     return Json{{"factor", table_.node(d.factor)}, {"product", d.product}};
-                   })}};
+      return Json{
+          {"sequent", of(proof.sequent)},
+          {"components", list(proof.components, [&](const auto& c) { return of(c, proof); })},
+          {"not_zero", list(proof.not_zero, [&](const auto& n) { return of(n, proof); })},
+          {"divisors", list(proof.divisors, [&](const Divisor& d) {
+             return Json{{"factor", table_.node(d.factor)}, {"product", d.product}};
+           })}};
     });
   }
 
@@ -131,10 +138,11 @@ class Writer {
   }
 
   Json of(const SignProof& sign, const SequentProof& proof) {
-    Json result{{"steps", list(sign.steps, [&](const SignProof::Step& step) {
-                   const std::size_t fact = table_.node(step.fact);
-                   return Json{{"fact", fact}, {"strict", step.strict}, {"why", of(step.why, proof)}};
-                 })}};
+    Json result{
+        {"steps", list(sign.steps, [&](const SignProof::Step& step) {
+           const std::size_t fact = table_.node(step.fact);
+           return Json{{"fact", fact}, {"strict", step.strict}, {"why", of(step.why, proof)}};
+         })}};
     if (const auto* end = std::get_if<Combination>(&sign.end)) {
       result["end"] = of(*end, proof);
       return result;

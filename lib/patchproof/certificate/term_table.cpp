@@ -10,59 +10,95 @@ using Json = CertificateJson;
 
 const char* name_of(Operation operation) {
   switch (operation) {
-    case Operation::number: return "number";
-    case Operation::pi: return "pi";
-    case Operation::symbol: return "symbol";
-    case Operation::tuple: return "tuple";
-    case Operation::matrix: return "matrix";
-    case Operation::sum: return "sum";
-    case Operation::negation: return "negation";
-    case Operation::product: return "product";
-    case Operation::quotient: return "quotient";
-    case Operation::power: return "power";
-    case Operation::sine: return "sine";
-    case Operation::cosine: return "cosine";
-    case Operation::exponential: return "exponential";
-    case Operation::square_root: return "square_root";
-    case Operation::lambda: return "lambda";
-    case Operation::apply: return "apply";
-    case Operation::derivative: return "derivative";
-    case Operation::component: return "component";
-    case Operation::entry: return "entry";
-    case Operation::slice: return "slice";
-    case Operation::transpose: return "transpose";
-    case Operation::matrix_product: return "matrix_product";
-    case Operation::determinant: return "determinant";
-    case Operation::dot: return "dot";
-    case Operation::cross: return "cross";
-    case Operation::bernstein: return "bernstein";
-    case Operation::bspline_basis: return "bspline_basis";
-    case Operation::integral: return "integral";
-    case Operation::definition: return "definition";
+    case Operation::number:
+      return "number";
+    case Operation::pi:
+      return "pi";
+    case Operation::symbol:
+      return "symbol";
+    case Operation::tuple:
+      return "tuple";
+    case Operation::matrix:
+      return "matrix";
+    case Operation::sum:
+      return "sum";
+    case Operation::negation:
+      return "negation";
+    case Operation::product:
+      return "product";
+    case Operation::quotient:
+      return "quotient";
+    case Operation::power:
+      return "power";
+    case Operation::sine:
+      return "sine";
+    case Operation::cosine:
+      return "cosine";
+    case Operation::exponential:
+      return "exponential";
+    case Operation::square_root:
+      return "square_root";
+    case Operation::lambda:
+      return "lambda";
+    case Operation::apply:
+      return "apply";
+    case Operation::derivative:
+      return "derivative";
+    case Operation::component:
+      return "component";
+    case Operation::entry:
+      return "entry";
+    case Operation::slice:
+      return "slice";
+    case Operation::transpose:
+      return "transpose";
+    case Operation::matrix_product:
+      return "matrix_product";
+    case Operation::determinant:
+      return "determinant";
+    case Operation::dot:
+      return "dot";
+    case Operation::cross:
+      return "cross";
+    case Operation::bernstein:
+      return "bernstein";
+    case Operation::bspline_basis:
+      return "bspline_basis";
+    case Operation::integral:
+      return "integral";
+    case Operation::definition:
+      return "definition";
   }
   throw std::logic_error{"an operation without a name"};
 }
 
 const char* name_of(Symbol::Role role) {
   switch (role) {
-    case Symbol::Role::parameter: return "parameter";
-    case Symbol::Role::scalar: return "scalar";
-    case Symbol::Role::point: return "point";
-    case Symbol::Role::function: return "function";
-    case Symbol::Role::bound: return "bound";
+    case Symbol::Role::parameter:
+      return "parameter";
+    case Symbol::Role::scalar:
+      return "scalar";
+    case Symbol::Role::point:
+      return "point";
+    case Symbol::Role::function:
+      return "function";
+    case Symbol::Role::bound:
+      return "bound";
   }
   throw std::logic_error{"a role without a name"};
 }
 
 Json type_of(const Type& type) {
   switch (type.kind) {
-    case Type::Kind::scalar: return "scalar";
+    case Type::Kind::scalar:
+      return "scalar";
     case Type::Kind::point:
       if (type.dimension == Type::any_dimension) return Json{{"point", "any"}};
       return Json{{"point", type.dimension}};
     case Type::Kind::function:
       return Json{{"function", type.parameters}, {"to", type_of(*type.inner)}};
-    default: throw std::logic_error{"a symbol that is a matrix"};
+    default:
+      throw std::logic_error{"a symbol that is a matrix"};
   }
 }
 
@@ -87,8 +123,12 @@ Json TermTable::node_without_children(const Term& term) {
   Json node;
   node["operation"] = name_of(term.operation());
   switch (term.operation()) {
-    case Operation::number: node["value"] = to_text(term.number()); break;
-    case Operation::symbol: node["symbol"] = symbol(term.symbol()); break;
+    case Operation::number:
+      node["value"] = to_text(term.number());
+      break;
+    case Operation::symbol:
+      node["symbol"] = symbol(term.symbol());
+      break;
     case Operation::tuple:
       if (term.type().dimension == Type::any_dimension) node["any_dimension"] = true;
       break;
@@ -96,15 +136,21 @@ Json TermTable::node_without_children(const Term& term) {
       node["rows"] = term.type().rows;
       node["columns"] = term.type().columns;
       break;
-    case Operation::power: node["exponent"] = term.exponent(); break;
+    case Operation::power:
+      node["exponent"] = term.exponent();
+      break;
     case Operation::lambda:
       node["formals"] = Json::array();
       for (const SymbolPointer& formal : term.formals()) node["formals"].push_back(symbol(formal));
       break;
-    case Operation::derivative: node["orders"] = term.indices(); break;
+    case Operation::derivative:
+      node["orders"] = term.indices();
+      break;
     case Operation::component:
     case Operation::entry:
-    case Operation::slice: node["indices"] = term.indices(); break;
+    case Operation::slice:
+      node["indices"] = term.indices();
+      break;
     case Operation::bernstein:
       node["degree"] = term.indices().at(0);
       node["index"] = term.indices().at(1);
@@ -118,8 +164,11 @@ Json TermTable::node_without_children(const Term& term) {
       for (const Rational& knot : function.knots) node["knots"].push_back(to_text(knot));
       break;
     }
-    case Operation::definition: node["name"] = term.name(); break;
-    default: break;
+    case Operation::definition:
+      node["name"] = term.name();
+      break;
+    default:
+      break;
   }
   return node;
 }
