@@ -171,3 +171,27 @@ TEST_CASE("The ends of a range divide by nothing that may be zero", "[reject]") 
           "REJECTED proofs[0].sequent: the divisor a is not shown not to be zero");
   }
 }
+
+TEST_CASE("A hypothesis and the values in it divide by nothing that may be zero", "[reject]") {
+  const Claims claims{R"(
+    param u in [0, 1]
+    scalar a, x
+    scalar f(t)
+    assume differ: (a*x)/a != 0
+    assume rule: f(u) == f(u)
+    prove fine: 1/x == 1/x
+    prove plain: a == a
+    prove x_term: x == 0
+    prove pole: 1/a == 0
+    prove one: 1 == 0)"};
+  SequentProof proof = by_equations(claims.sequent("fine"), {});
+  proof.not_zero = {{claims.term("x_term"), 0, std::nullopt, false}};
+  CHECK(judged(document_of(proof)) ==
+        "REJECTED proofs[0].not_zero[0]: the divisor a is not shown not to be zero");
+  Sequent free = claims.sequent("plain");
+  free.hypotheses.erase(free.hypotheses.begin());
+  free.ranges.clear();
+  const Cofactor cofactor{{0, 0, {claims.term("pole")}, {0}}, claims.term("one")};
+  CHECK(judged(document_of(by_equations(free, {cofactor}))) ==
+        "REJECTED proofs[0].components[0].equation[0]: the divisor a is not shown not to be zero");
+}
