@@ -76,6 +76,14 @@ TEST_CASE("A member that is not known, or missing, is found", "[reject]") {
         "unreadable: certificates[0].proofs[0].sequent.conclusions: there is no conclusion");
 }
 
+TEST_CASE("A parameter has one range", "[reject]") {
+  const auto range = nlohmann::json::parse(good()).at(
+      nlohmann::json::json_pointer{first + "/proofs/0/sequent/ranges/0"});
+  CHECK(with(first + "/proofs/0/sequent/ranges", {range, range}) ==
+        "unreadable: certificates[0].proofs[0].sequent.ranges[1].parameter: this parameter has a "
+        "range already");
+}
+
 TEST_CASE("Symbols have one ordinal each, and the type of their role", "[reject]") {
   const nlohmann::json json = nlohmann::json::parse(good());
   const nlohmann::json ordinal = json["certificates"][0]["symbols"][0]["ordinal"];
