@@ -85,7 +85,7 @@ golden: test-packages with-tests
 
 format:
 	@cmake/install_packages clang-format
-	@find lib verify tests -name '*.[ch]pp' | xargs clang-format -i
+	@find lib recheck verify tests -name '*.[ch]pp' | xargs clang-format -i
 
 clean:
 	@rm -rf build

@@ -19,7 +19,7 @@ foreach(source IN LISTS fuzz_sources)
 
   add_executable(${target} ${source})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${target} PRIVATE patchproof)
+  target_link_libraries(${target} PRIVATE patchproof recheck)
   target_link_options(${target} PRIVATE -fsanitize=fuzzer)
   use_project_warnings(${target})
 

@@ -1,12 +1,12 @@
 # What `cmake --install` puts where: program, library, headers, and how others find them.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS patchproof_program)
+install(TARGETS patchproof_program patchproof_recheck)
 install(TARGETS patchproof EXPORT patchproof_targets)
 install(DIRECTORY lib/patchproof ${generated}/patchproof TYPE INCLUDE
   # Users of the library need no JSON library.
   FILES_MATCHING PATTERN *.hpp PATTERN prelude EXCLUDE PATTERN json_parts.hpp EXCLUDE
-  PATTERN audit_json.hpp EXCLUDE)
+  PATTERN audit_json.hpp EXCLUDE PATTERN term_table.hpp EXCLUDE)
 install(FILES LICENSE TYPE DOC)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/patchproof)

@@ -55,6 +55,7 @@ int run(int argument_count, char* arguments[]) {
   add_certify(program, result);
   add_definitions(program, result);
   add_dump(program, result);
+  add_recheck(program, result);
   try {
     program.parse(argument_count, arguments);
     return ended(result);

@@ -14,17 +14,22 @@ using Tree = std::vector<SourceFile>;
 using Breaches = std::vector<std::string>;
 
 /// Includes in lib/ go down the layers and never up:
-/// algebra < term < kernel, symbolic < decide < claims < language < repair < mutation < derivation <
-/// figure < latex < report < patchproof.hpp,
-/// where kernel and symbolic, repair and figure do not know each other. They are written <patchproof/layer/file.hpp>.
+/// algebra < term < kernel, symbolic < decide < claims < certificate, language < repair < mutation <
+/// derivation < figure < latex < report < patchproof.hpp, where kernel and symbolic, certificate and
+/// language, repair and figure do not know each other. They are written <patchproof/layer/file.hpp>.
 Breaches upward_includes(const Tree& tree);
 
 /// Each foreign library has one door, so that it can be judged and replaced in one place:
 /// GiNaC and CLN only in symbolic, Boost.Multiprecision only through algebra/number.hpp, the JSON
-/// library only in language/dump, report and the program, CLI11 only in the program.
+/// library only in language/dump, report, certificate/term_table and the program, CLI11 only in the
+/// program; in recheck/, numbers only through number.hpp and JSON only through place.hpp.
 Breaches libraries_outside_their_door(const Tree& tree);
 
-/// No floating point in lib/: neither its types nor its literals.
+/// The second checker in recheck/ is independent: it includes nothing of the library, of the program
+/// or of the tests.
+Breaches dependence_of_the_second_checker(const Tree& tree);
+
+/// No floating point in lib/ and recheck/: neither its types nor its literals.
 Breaches floating_point(const Tree& tree);
 
 /// Every folder in lib/patchproof is a layer, the generated prelude's, or unknown.

@@ -90,7 +90,31 @@ TEST_CASE("A foreign library outside its door is found", "[architecture][reject]
   CHECK(breaches("lib/patchproof/language/dump.cpp", "<nlohmann/json.hpp>") == 0);
   CHECK(breaches("lib/patchproof/report/json.cpp", "<CLI/CLI.hpp>") == 1);
   CHECK(breaches("verify/main.cpp", "<CLI/CLI.hpp>") == 0);
+  CHECK(breaches("recheck/number.hpp", "<boost/multiprecision/cpp_int.hpp>") == 0);
+  CHECK(breaches("recheck/field.cpp", "<boost/multiprecision/cpp_int.hpp>") == 1);
+  CHECK(breaches("recheck/node_reader.cpp", "<nlohmann/json.hpp>") == 1);
   CHECK(breaches("lib/patchproof/kernel/field.cpp", "<gmpxx.h>") == 1);
+}
+
+TEST_CASE("The second checker knows nothing of what it checks", "[architecture]") {
+  CHECK(dependence_of_the_second_checker(project()) == Breaches{});
+  const bool is_there = std::any_of(project().begin(), project().end(), [](const SourceFile& file) {
+    return file.path == "recheck/recheck.cpp";
+  });
+  CHECK(is_there);
+}
+
+TEST_CASE("A second checker that is not independent is found", "[architecture][reject]") {
+  const auto breaches = [](const std::string& header) {
+    return dependence_of_the_second_checker(
+        tree_of("recheck/field.cpp", "#include <map>\n#include " + header));
+  };
+  CHECK(breaches("<patchproof/term/term.hpp>") ==
+        Breaches{"recheck/field.cpp:2: the second checker may not include "
+                 "<patchproof/term/term.hpp>"});
+  CHECK(breaches("<verify/files.hpp>").size() == 1);
+  CHECK(breaches("\"../lib/patchproof/term/term.hpp\"").size() == 1);
+  CHECK(breaches("<recheck/field.hpp>") == Breaches{});
 }
 
 TEST_CASE("There is no floating point in the library", "[architecture]") {

@@ -86,7 +86,7 @@ Components Scalars::compute(const Term& term) {
                                of(term.child(0)).front())};
     case Operation::bspline_basis:
       return {spline_piece(term.basis_function(), of(term.child(0)).front())};
-    case Operation::integral: return {integral(term)};
+    case Operation::integral: return integrals(term);
     case Operation::square_root: {
       Scalar node;
       node.kind = Kind::root;
@@ -161,18 +161,20 @@ Components Scalars::applied(const Term& term) {
 }
 
 // Over several variables: the last one is integrated first.
-ScalarPointer Scalars::integral(const Term& term) {
+Components Scalars::integrals(const Term& term) {
   const Term& function = term.child(0);
   if (function.operation() != Operation::lambda) throw NotScalar{"the integral of a function by name"};
-  ScalarPointer result = of(function.child(0)).front();
+  Components result = of(function.child(0));
   const Formals& formals = function.formals();
-  for (std::size_t k = formals.size(); k-- > 0;) {
-    Scalar node;
-    node.kind = Kind::integral;
-    node.formal = formals[k];
-    node.children = {of(term.child(1 + 2 * k)).front(), of(term.child(2 + 2 * k)).front(), result};
-    result = scalar(std::move(node));
-  }
+  for (ScalarPointer& component : result)
+    for (std::size_t k = formals.size(); k-- > 0;) {
+      Scalar node;
+      node.kind = Kind::integral;
+      node.formal = formals[k];
+      node.children = {of(term.child(1 + 2 * k)).front(), of(term.child(2 + 2 * k)).front(),
+                       component};
+      component = scalar(std::move(node));
+    }
   return result;
 }
 

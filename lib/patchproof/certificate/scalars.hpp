@@ -38,7 +38,7 @@ class Scalars {
   std::vector<ScalarPointer> vector_operation(const Term& term);
   std::vector<ScalarPointer> matrix_product(const Term& term);
   std::vector<ScalarPointer> applied(const Term& term);
-  ScalarPointer integral(const Term& term);
+  std::vector<ScalarPointer> integrals(const Term& term);
   /// The name of the case, or of the definition of the prelude that the term is a use of.
   const std::string* name_of(const Term& term) const;
 
