@@ -16,6 +16,7 @@
 #include <memory>
 #include <thread>
 
+#include <patchproof/certificate/misunderstood.hpp>
 #include <patchproof/certificate/rocq_names.hpp>
 #include <patchproof/latex/sha256.hpp>
 #include <patchproof/report/text_report.hpp>
@@ -45,6 +46,8 @@ struct CaseWork {
   std::vector<std::pair<std::string, std::string>> missing;
   bool accepted = false;
   std::vector<std::string> axioms;
+  /// Claims that Rocq took for something else.
+  std::vector<std::string> misunderstood;
 };
 
 void write_down(CaseWork& work) {
@@ -94,6 +97,24 @@ std::size_t number_of_jobs(const CertifyArguments& arguments) {
   return asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
 }
 
+/// Compares what coqc says it has checked with what was asked.
+void compare(CaseWork& work, const std::string& output) {
+  for (const Misunderstanding& one :
+       misunderstood(work.result->verified, without(work.found.certificates, work.left_out), output)) {
+    work.misunderstood.push_back(one.claim);
+    work.missing.emplace_back(one.claim, "not what was asked: " + one.what);
+  }
+}
+
+std::vector<std::string> certified_in(const CaseWork& work) {
+  std::vector<std::string> ids;
+  for (const std::string& id : theorems_of(work))
+    if (std::find(work.misunderstood.begin(), work.misunderstood.end(), id) ==
+        work.misunderstood.end())
+      ids.push_back(id);
+  return ids;
+}
+
 /// Lets coqc check all files; a theorem it does not accept is left out, and the rest tried again.
 /// @returns what makes the whole impossible; "" when all is well.
 std::string check(const CertifyArguments& arguments, std::vector<CaseWork>& works,
@@ -117,6 +138,7 @@ std::string check(const CertifyArguments& arguments, std::vector<CaseWork>& work
       if (run.accepted) {
         work.accepted = true;
         work.axioms = axioms_in(run.output);
+        compare(work, run.output);
         continue;
       }
       const std::string claim = claim_at(work, run.line);
@@ -142,7 +164,7 @@ CheckedFolder record_of(const std::vector<CaseWork>& works, const std::string& c
     const bool good = std::all_of(work.axioms.begin(), work.axioms.end(), is_accepted_axiom);
     if (!work.accepted || !good) continue;
     record.files.push_back({work.result->verified.name, work.file, sha256(work.rocq.text),
-                            theorems_of(work), work.left_out, work.axioms});
+                            certified_in(work), work.left_out, work.axioms});
   }
   return record;
 }
@@ -220,7 +242,7 @@ ExitCode run(const CertifyArguments& arguments) {
     const CheckedFolder record = record_of(works, coqc);
     for (CaseWork& work : works)
       if (work.accepted && !std::all_of(work.axioms.begin(), work.axioms.end(), is_accepted_axiom))
-        for (const std::string& id : theorems_of(work))
+        for (const std::string& id : certified_in(work))
           work.missing.emplace_back(id, "rests on an axiom that is not accepted");
     if (const std::string problem = write_checked(arguments.folder, record); !problem.empty()) {
       print_error("patchproof: " + problem + "\n");
@@ -241,7 +263,7 @@ ExitCode run(const CertifyArguments& arguments) {
                           counted(works.size(), "case") + " " + verb + by + "\n";
   if (!print(cases + sum)) return graver(code, ExitCode::unreadable);
   const bool refused = std::any_of(works.begin(), works.end(), [](const CaseWork& work) {
-    return !work.left_out.empty();
+    return !work.left_out.empty() || !work.misunderstood.empty();
   });
   if (refused) code = graver(code, ExitCode::internal);
   if (arguments.check.strict && done < total) code = graver(code, ExitCode::unknown);
@@ -268,8 +290,8 @@ void declare(CLI::App& command, CertifyArguments& a) {
   option("--limit-steps", a.check.steps, "Arithmetic steps for a claim; 0: no limit", "N")
       ->check(whole_number());
   command.footer(
-      "Ends like 'patchproof check'; with 70 when coqc does not accept a certificate, and with 2\n"
-      "when --strict is given and some claim has none.\n\n"
+      "Ends like 'patchproof check'; with 70 when coqc does not accept a certificate, or takes a claim\n"
+      "for another one than was asked, and with 2 when --strict is given and some claim has none.\n\n"
       "Example:\n  patchproof certify cases/coons -o out --check\n");
 }
 

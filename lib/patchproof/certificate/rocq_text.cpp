@@ -221,7 +221,7 @@ std::string RocqText::named(const std::string& name, std::size_t component, cons
   // A name of its own for each component, and for another meaning of the same name.
   const std::string own =
       names_.fresh(component == 0 ? name : name + "_" + std::to_string(component));
-  definitions_.push_back("Definition " + own + head + " :=\n  " + body + ".");
+  definitions_.push_back({own, "Definition " + own + head + " :=\n  " + body + "."});
   return defined_.emplace(key, own + arguments).first->second;
 }
 
