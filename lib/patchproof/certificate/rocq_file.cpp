@@ -1,5 +1,6 @@
 #include <patchproof/certificate/rocq_file.hpp>
 
+#include <patchproof/certificate/rocq_layout.hpp>
 #include <patchproof/certificate/rocq_proof.hpp>
 #include <patchproof/version.hpp>
 
@@ -119,8 +120,9 @@ class FileWriter {
     const std::string name = names_.fresh("certified_" + label + suffix);
     theorem.theorems.push_back(name);
     theorem.statements.push_back(claim);
-    return "Definition " + claim + " : Prop :=\n" + sequent.statement().text() + ".\nTheorem " + name +
-           " : " + sign + claim + ".\nProof.\n" + proof + "\nQed.\n\n";
+    const std::string statement =
+        with_short_lines("Definition " + claim + " : Prop :=\n" + sequent.statement().text() + ".\n");
+    return statement + "Theorem " + name + " : " + sign + claim + ".\nProof.\n" + proof + "\nQed.\n\n";
   }
 
   const Case& given_;

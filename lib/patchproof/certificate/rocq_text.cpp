@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <patchproof/certificate/rocq_layout.hpp>
+
 namespace patchproof {
 
 namespace {
@@ -221,7 +223,8 @@ std::string RocqText::named(const std::string& name, std::size_t component, cons
   // A name of its own for each component, and for another meaning of the same name.
   const std::string own =
       names_.fresh(component == 0 ? name : name + "_" + std::to_string(component));
-  definitions_.push_back({own, "Definition " + own + head + " :=\n  " + body + "."});
+  definitions_.push_back(
+      {own, with_short_lines("Definition " + own + head + " :=\n  " + body + ".")});
   return defined_.emplace(key, own + arguments).first->second;
 }
 
