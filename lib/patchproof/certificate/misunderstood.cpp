@@ -89,7 +89,7 @@ class Comparison {
       return proposition_difference(table_, meaning_.of_proposition(printed.term), asked,
                                     names_in(printed.term));
     } catch (const RocqUnreadable& error) {
-      return "what Rocq printed of " + name + " makes no sense: " + error.what();
+      return name + " cannot be compared: " + error.what();
     }
   }
 

@@ -1,7 +1,9 @@
 #include <patchproof/certificate/proposition_difference.hpp>
 
 #include <algorithm>
-#include <string_view>
+#include <optional>
+
+#include <patchproof/certificate/proposition_words.hpp>
 
 namespace patchproof {
 
@@ -9,65 +11,26 @@ namespace {
 
 using Node = PropositionTable::Node;
 
-// Terms in messages are cut off behind so many nodes.
-constexpr int longest_shown = 40;
-
-bool is_between(const std::string& head) {
-  constexpr std::string_view all = " + - * / = <> < <= > >= -> /\\ \\/ ";
-  return all.find(" " + head + " ") != std::string_view::npos;
-}
-
 bool is_relation(const std::string& head) {
-  constexpr std::string_view all = " = <> < <= > >= ";
-  return all.find(" " + head + " ") != std::string_view::npos;
+  return head == "=" || head == "<>" || head == "<" || head == "<=" || head == ">" || head == ">=";
 }
 
-class Words {
- public:
-  Words(const PropositionTable& table, const std::vector<std::string>& names)
-      : table_{table}, names_{names} {}
+bool binds(const std::string& head) {
+  return head.starts_with("forall ") || head.starts_with("fun ");
+}
 
-  std::string of(std::size_t number) {
-    left_ = longest_shown;
-    return text(number, false);
+// The part in which alone they differ; of propositions that are joined the first one.
+std::optional<std::size_t> differing_part(const Node& a, const Node& b) {
+  if (a.head != b.head || a.parts.size() != b.parts.size()) return std::nullopt;
+  std::optional<std::size_t> found;
+  for (std::size_t k = a.parts.size(); k-- > 0;) {
+    if (a.parts[k] == b.parts[k]) continue;
+    const bool joined = a.head == "->" || a.head == "/\\" || a.head == "\\/";
+    if (found && !joined) return std::nullopt;
+    found = k;
   }
-
- private:
-  std::string text(std::size_t number, bool bracket) {
-    if (left_-- <= 0) return "…";
-    const Node& node = table_.node(number);
-    if (node.parts.empty()) {
-      const std::string leaf = node.head.front() == '#' ? variable(node.head) : node.head;
-      return bracket && (leaf.find(' ') != std::string::npos || leaf.front() == '-')
-                 ? "(" + leaf + ")"
-                 : leaf;
-    }
-    std::string result;
-    if (is_between(node.head) && node.parts.size() == 2) {
-      result = text(node.parts[0], !is_relation(node.head));
-      result += " " + node.head + " " + text(node.parts[1], !is_relation(node.head));
-    } else if (node.head.starts_with("^ ")) {
-      result = text(node.parts[0], true) + " " + node.head;
-    } else {
-      result = node.head == "apply" ? "" : node.head == "opposite" ? "-" : node.head;
-      for (const std::size_t part : node.parts)
-        result += (result.empty() ? "" : " ") + text(part, true);
-    }
-    return bracket ? "(" + result + ")" : result;
-  }
-
-  // "#2 1 0"
-  std::string variable(const std::string& head) const {
-    const std::size_t end = std::min(head.find(' '), head.size());
-    const std::size_t level = std::stoul(head.substr(1, end - 1));
-    const std::string name = level < names_.size() ? names_[level] : "x" + std::to_string(level);
-    return name + head.substr(end);
-  }
-
-  const PropositionTable& table_;
-  const std::vector<std::string>& names_;
-  int left_ = 0;
-};
+  return found;
+}
 
 }  // namespace
 
@@ -75,48 +38,40 @@ std::string proposition_difference(const PropositionTable& table, std::size_t un
                                    std::size_t asked, const std::vector<std::string>& names) {
   if (understood == asked) return "";
   std::vector<std::string> known = names;
-  std::string place = "conclusion";
   std::size_t premises = 0;
-  std::size_t binders = 0;
-  // Behind the last premise, or inside one.
-  bool inside = false;
-  std::size_t relation = understood;
-  bool in_relation = false;
+  std::size_t depth = 0;
+  bool in_premise = false;
+  // The relation around the difference, and how deep it stands.
+  std::optional<std::pair<std::size_t, std::size_t>> relation;
   for (;;) {
-    const Node& a = table.node(understood);
-    const Node& b = table.node(asked);
-    if (is_relation(a.head)) {
-      relation = understood;
-      in_relation = true;
-    }
-    if (a.head != b.head || a.parts.size() != b.parts.size()) break;
-    std::vector<std::size_t> differing;
-    for (std::size_t k = 0; k < a.parts.size(); ++k)
-      if (a.parts[k] != b.parts[k]) differing.push_back(k);
-    const bool one_by_one = a.head == "->" || a.head == "/\\" || a.head == "\\/";
-    if (differing.empty() || (differing.size() > 1 && !one_by_one)) break;
-    const std::size_t at = differing.front();
-    if (!inside && a.head.starts_with("forall ")) ++binders;
-    if (!inside && a.head == "->") {
+    const Node& node = table.node(understood);
+    const std::optional<std::size_t> part = differing_part(node, table.node(asked));
+    if (!part) break;
+    if (is_relation(node.head)) relation = {understood, depth};
+    if (binds(node.head)) ++depth;
+    if (!in_premise && node.head == "->") {
       ++premises;
-      if (at == 0) {
-        place = "premise " + std::to_string(premises);
-        // The binders of a premise are others than those of the conclusion.
-        known.resize(std::min(known.size(), binders));
-        inside = true;
-      }
-    } else if (!a.head.starts_with("forall ")) {
-      inside = true;
+      in_premise = *part == 0;
+      // The binders of a premise are others than those of the conclusion.
+      if (in_premise) known.resize(std::min(known.size(), depth));
     }
-    understood = a.parts[at];
-    asked = b.parts[at];
+    understood = node.parts[*part];
+    asked = table.node(asked).parts[*part];
   }
-  if (!inside && table.node(understood).head != table.node(asked).head && !in_relation)
-    place = "structure";
-  Words words{table, known};
-  std::string result = place + ": Rocq understood " + words.of(understood) + " where " +
-                       words.of(asked) + " was asked";
-  if (in_relation && relation != understood) result += ", in " + words.of(relation);
+  const auto words = [&](std::size_t number, std::size_t around) {
+    return proposition_words(table, number, around, known);
+  };
+  const auto goes_on = [&](std::size_t number) {
+    const std::string& head = table.node(number).head;
+    return head == "->" || head.starts_with("forall ");
+  };
+  const std::string place = in_premise ? "premise " + std::to_string(premises)
+                            : goes_on(understood) || goes_on(asked)
+                                ? "behind premise " + std::to_string(premises)
+                                : "conclusion";
+  std::string result = place + ": Rocq understood " + words(understood, depth) + " where " +
+                       words(asked, depth) + " was asked";
+  if (relation) result += ", in " + words(relation->first, relation->second);
   return result;
 }
 

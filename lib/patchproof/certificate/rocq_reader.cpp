@@ -44,9 +44,14 @@ class Reader {
 
   std::string type() {
     const Level level{*this};
-    std::string result = type_atom();
-    while (accepted("->")) result += " -> " + type_atom();
-    return result;
+    std::string result;
+    std::string last = type_atom();
+    while (accepted("->")) {
+      result += last + " -> ";
+      last = type_atom();
+    }
+    // Arrows bind to the right.
+    return result + (last.front() == '(' ? last.substr(1, last.size() - 2) : last);
   }
 
   std::size_t position() const { return next().position; }
