@@ -1,6 +1,6 @@
 // patchproof certify: certificates of verdicts for other programs to check, and coqc's word on them.
 #include <unistd.h>
-#include <verify/certified.hpp>
+#include <verify/case_work.hpp>
 #include <verify/check_options.hpp>
 #include <verify/commands.hpp>
 #include <verify/coqc.hpp>
@@ -16,7 +16,6 @@
 #include <memory>
 #include <thread>
 
-#include <patchproof/certificate/misunderstood.hpp>
 #include <patchproof/certificate/rocq_names.hpp>
 #include <patchproof/latex/sha256.hpp>
 #include <patchproof/report/text_report.hpp>
@@ -35,32 +34,6 @@ struct CertifyArguments {
   bool run_coqc = false;
 };
 
-/// A case on its way: what is certified of it, and what is not and why.
-struct CaseWork {
-  const CaseResult* result = nullptr;
-  std::string file;
-  CaseCertificates found;
-  RocqFile rocq;
-  std::vector<std::string> left_out;
-  /// Ids of claims, each with the reason why it has no certificate.
-  std::vector<std::pair<std::string, std::string>> missing;
-  bool accepted = false;
-  std::vector<std::string> axioms;
-  /// Claims that Rocq took for something else.
-  std::vector<std::string> misunderstood;
-};
-
-void write_down(CaseWork& work) {
-  work.rocq = rocq_file(work.result->verified, without(work.found.certificates, work.left_out));
-}
-
-std::vector<std::string> theorems_of(const CaseWork& work) {
-  std::vector<std::string> ids;
-  for (const RocqTheorem& theorem : work.rocq.theorems)
-    if (!theorem.theorems.empty()) ids.push_back(theorem.claim);
-  return ids;
-}
-
 bool prepared(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -76,43 +49,9 @@ bool written(const CertifyArguments& arguments, const CaseWork& work,
   return output.good() && output.write(work.rocq.text);
 }
 
-/// The claim whose theorem begins last before the line; "" for none.
-std::string claim_at(const CaseWork& work, std::size_t line) {
-  std::size_t number = 1;
-  std::size_t begin = 0;
-  std::string current;
-  while (begin < work.rocq.text.size() && number <= line) {
-    const std::size_t end = work.rocq.text.find('\n', begin);
-    const std::string text = work.rocq.text.substr(begin, end - begin);
-    for (const RocqTheorem& theorem : work.rocq.theorems)
-      if (text.rfind("(* " + theorem.claim + ":", 0) == 0) current = theorem.claim;
-    begin = end + 1;
-    ++number;
-  }
-  return current;
-}
-
 std::size_t number_of_jobs(const CertifyArguments& arguments) {
   const auto asked = static_cast<std::size_t>(std::stoul(arguments.jobs));
   return asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
-}
-
-/// Compares what coqc says it has checked with what was asked.
-void compare(CaseWork& work, const std::string& output) {
-  for (const Misunderstanding& one :
-       misunderstood(work.result->verified, without(work.found.certificates, work.left_out), output)) {
-    work.misunderstood.push_back(one.claim);
-    work.missing.emplace_back(one.claim, "not what was asked: " + one.what);
-  }
-}
-
-std::vector<std::string> certified_in(const CaseWork& work) {
-  std::vector<std::string> ids;
-  for (const std::string& id : theorems_of(work))
-    if (std::find(work.misunderstood.begin(), work.misunderstood.end(), id) ==
-        work.misunderstood.end())
-      ids.push_back(id);
-  return ids;
 }
 
 /// Lets coqc check all files; a theorem it does not accept is left out, and the rest tried again.
