@@ -52,6 +52,23 @@ TEST_CASE("A definition may be unfolded, and functions applied", "[certificate]"
   CHECK(after("D_v (D_u (r_2 C D)) u v", "D_v (D_u (fun x y : R => r_2 C D x y)) u v") == "");
 }
 
+TEST_CASE("A definition is unfolded at each of its arguments", "[certificate]") {
+  CHECK(after("r_3 C D 1 v = r_4 C D 0 v", "r_3 C D 1 v = r_3 C D 0 v") == "");
+  CHECK(after("r_3 C D 1 v = r_4 C D 0 v", "r_3 C D 1 v = r_3 C D 1 v") == "");
+}
+
+TEST_CASE("A variable that does not occur has no name in what Rocq prints", "[certificate]") {
+  CHECK(after("(c : nat -> R), R -> C 0", "(c : nat -> R) (e : R), C 0") == "");
+  CHECK(after("(c : nat -> R), R -> C 0", "(c : nat -> R), C 0") ==
+        "small.first: behind premise 0: Rocq understood C 0 = D 0 -> (forall (u : R), 0 <= u "
+        "/\\ u <= 1 -> u <= 1 / 2 -> …) -> … where forall (u : R), C 0 = D 0 -> (forall (x7 : "
+        "R), 0 <= x7 /\\ x7 <= 1 -> x7 <= 1 / … -> …) -> … was asked\n");
+  CHECK(after("(c : nat -> R), R -> C 0", "(c : nat -> R), (R -> R) -> C 0") ==
+        "small.first: behind premise 0: Rocq understood forall (_ : R -> R), C 0 = D 0 -> "
+        "(forall (u : R), 0 <= u /\\ u <= 1 -> u <= 1 / … -> …) -> … where forall (_ : R), C "
+        "0 = D 0 -> (forall (u : R), 0 <= u /\\ u <= 1 -> u <= 1 / … -> …) -> … was asked\n");
+}
+
 TEST_CASE("A changed statement is found", "[certificate][reject]") {
   // A sign, an index, a coefficient, two ends, two variables, a relation.
   CHECK(after("Derive D u - Derive C u", "Derive D u + Derive C u") ==
@@ -139,7 +156,8 @@ TEST_CASE("Changed premises are found", "[certificate][reject]") {
 }
 
 TEST_CASE("A changed definition is found in the claims that use it", "[certificate][reject]") {
-  CHECK(after("r_2 = fun (C D : R -> R) (u v : R) => (1 - v)", "r_2 = fun (C D : R -> R) (u v : R) => (1 - u)") ==
+  CHECK(after("r_2 = fun (C D : R -> R) (u v : R) => (1 - v)",
+              "r_2 = fun (C D : R -> R) (u v : R) => (1 - u)") ==
         "small.mixed: conclusion: Rocq understood x7 where x8 was asked, in D_v (D_u (fun "
         "(x7 : R) => fun (x8 : R) => (1 - x7) * C x7 + x8 * D x7)) u v = Derive … … - …\n");
   CHECK(after("r_2 = fun (C D : R -> R) (u v", "r_2 = fun (D C : R -> R) (u v") ==
@@ -164,18 +182,20 @@ TEST_CASE("A changed definition is found in the claims that use it", "[certifica
 
 TEST_CASE("No number and no sign can be changed unnoticed", "[certificate][law]") {
   const std::map<std::string_view, std::string> others{
-      {"+", "-"},  {"-", "+"},   {"*", "/"},     {"/", "*"},   {"^", "*"},   {"<=", "<"},
-      {"<", "<="}, {">", "<"},   {"=", "<>"},    {"->", "/\\"}, {"/\\", "->"}, {"0", "1"},
-      {"1", "0"},  {"2", "1"},   {"4", "2"},     {"~", ""},    {"C", "D"},   {"D", "C"},
-      {"u", "v"},  {"v", "u"},   {"f", "g"},     {"p", "q"},   {"q", "p"},   {"Bern", "f"},
-      {"D_u", "D_v"}, {"D_v", "D_u"}, {"RInt", "sqrt"}, {"smooth", "smooth2"}};
+      {"+", "-"},     {"-", "+"},       {"*", "/"},           {"/", "*"},    {"^", "*"},
+      {"<=", "<"},    {"<", "<="},      {">", "<"},           {"=", "<>"},   {"->", "/\\"},
+      {"/\\", "->"},  {"0", "1"},       {"1", "0"},           {"2", "1"},    {"4", "2"},
+      {"~", ""},      {"C", "D"},       {"D", "C"},           {"u", "v"},    {"v", "u"},
+      {"f", "g"},     {"p", "q"},       {"q", "p"},           {"Bern", "f"}, {"D_u", "D_v"},
+      {"D_v", "D_u"}, {"RInt", "sqrt"}, {"smooth", "smooth2"}};
   std::size_t changes = 0;
   for (RocqToken token = rocq_token(printed(), 0); token.kind != RocqToken::Kind::end;
        token = rocq_token(printed(), token.position + token.text.size())) {
     const auto other = others.find(token.text);
     const std::size_t line = printed().rfind('\n', token.position) + 1;
     const std::string_view before = std::string_view{printed()}.substr(line, token.position - line);
-    // Renaming a binder may change nothing; the types of definitions that Rocq prints are not needed.
+    // Renaming a binder may change nothing; the types of definitions that Rocq prints are not
+    // needed.
     const bool binder = before.empty() || before.starts_with("Arguments") ||
                         before.starts_with("     :") || printed()[token.position + 1] == ',' ||
                         std::string_view{printed()}.substr(token.position).starts_with("u v :") ||

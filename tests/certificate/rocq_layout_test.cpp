@@ -31,12 +31,14 @@ TEST_CASE("Short lines stay as they are", "[certificate]") {
 }
 
 TEST_CASE("Long sums are broken before their signs, outside of brackets first", "[certificate]") {
-  CHECK(with_short_lines("  (1 - u) * aaaaaaaaaaaaaaaaaaaaaaaaaaaa + u * bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb"
-                         " - (c - d) * (e + ffffffffff)") ==
+  CHECK(with_short_lines(
+            "  (1 - u) * aaaaaaaaaaaaaaaaaaaaaaaaaaaa + u * bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb"
+            " - (c - d) * (e + ffffffffff)") ==
         "  (1 - u) * aaaaaaaaaaaaaaaaaaaaaaaaaaaa + u * bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb\n"
         "    - (c - d) * (e + ffffffffff)");
-  CHECK(with_short_lines("  (aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa + bbbbbbbbbbbbbbbbbbbbbbbbbb"
-                         " + ccccccccccccccccccccccccccc) * d") ==
+  CHECK(with_short_lines(
+            "  (aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa + bbbbbbbbbbbbbbbbbbbbbbbbbb"
+            " + ccccccccccccccccccccccccccc) * d") ==
         "  (aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa + bbbbbbbbbbbbbbbbbbbbbbbbbb\n"
         "      + ccccccccccccccccccccccccccc) * d");
 }

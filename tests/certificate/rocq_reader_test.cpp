@@ -51,20 +51,33 @@ class RandomTerms {
         if (!number.natural && below(3) == 0) number.number = -1 - number.number;
         return std::make_shared<const RocqTerm>(number);
       }
-      case 2: return made(Kind::application, {part(), part(), part()});
-      case 3: return bound(Kind::function, part());
-      case 4: return bound(Kind::forall, part());
-      case 5: return made(Kind::implication, {part(), part()});
-      case 6: return made(Kind::disjunction, {part(), part(), part()});
-      case 7: return made(Kind::conjunction, {part(), part()});
-      case 8: return made(Kind::negation, {part()});
-      case 9: return made(Kind::relation, {part(), part()}, {sign({"=", "<>", ">=", ">"})});
+      case 2:
+        return made(Kind::application, {part(), part(), part()});
+      case 3:
+        return bound(Kind::function, part());
+      case 4:
+        return bound(Kind::forall, part());
+      case 5:
+        return made(Kind::implication, {part(), part()});
+      case 6:
+        return made(Kind::disjunction, {part(), part(), part()});
+      case 7:
+        return made(Kind::conjunction, {part(), part()});
+      case 8:
+        return made(Kind::negation, {part()});
+      case 9:
+        return made(Kind::relation, {part(), part()}, {sign({"=", "<>", ">=", ">"})});
       case 10:
-        return made(Kind::relation, {part(), part(), part()}, {sign({"<", "<="}), sign({"<", "<="})});
-      case 11: return made(Kind::sum, {part(), part(), part()}, {sign({"+", "-"}), sign({"+", "-"})});
-      case 12: return made(Kind::product, {part(), part()}, {sign({"*", "/"})});
-      case 13: return below(2) == 0 ? made(Kind::opposite, {part()}) : made(Kind::power, {part(), part()});
-      default: return name({"u", "V", "b_2", "C1'", "Derive"});
+        return made(Kind::relation, {part(), part(), part()},
+                    {sign({"<", "<="}), sign({"<", "<="})});
+      case 11:
+        return made(Kind::sum, {part(), part(), part()}, {sign({"+", "-"}), sign({"+", "-"})});
+      case 12:
+        return made(Kind::product, {part(), part()}, {sign({"*", "/"})});
+      case 13:
+        return below(2) == 0 ? made(Kind::opposite, {part()}) : made(Kind::power, {part(), part()});
+      default:
+        return name({"u", "V", "b_2", "C1'", "Derive"});
     }
   }
 
@@ -155,7 +168,8 @@ TEST_CASE("Other texts are refused with their place", "[certificate][reject]") {
 }
 
 TEST_CASE("Deep nesting is refused, long texts are not", "[certificate][reject]") {
-  for (const std::string piece : {"(", "- ", "~ ", "a ^ ", "f (", "fun x : R => ", "A -> forall x : R, "}) {
+  for (const std::string piece :
+       {"(", "- ", "~ ", "a ^ ", "f (", "fun x : R => ", "A -> forall x : R, "}) {
     INFO(piece);
     CHECK(problem(repeated(piece, 100'000) + "a") == "nested too deeply");
   }

@@ -1,5 +1,6 @@
 #include <patchproof/certificate/misunderstood.hpp>
 
+#include <algorithm>
 #include <map>
 
 #include <patchproof/certificate/asked_proposition.hpp>
@@ -22,13 +23,19 @@ std::vector<const Sequent*> sequents_in(const Certificate& certificate) {
   return result;
 }
 
-// The names of the outermost binders, and of those behind premises.
+// The names of the outermost binders, and of those behind premises; "_" where there is none.
 std::vector<std::string> names_in(const RocqTermPointer& statement) {
   std::vector<std::string> result;
   for (const RocqTerm* at = statement.get();; at = at->parts.back().get()) {
     if (at->kind == RocqTerm::Kind::forall)
       for (const RocqBinder& binder : at->binders) result.push_back(binder.name);
-    else if (at->kind != RocqTerm::Kind::implication)
+    else if (at->kind == RocqTerm::Kind::implication)
+      result.insert(result.end(),
+                    static_cast<std::size_t>(std::count_if(
+                        at->parts.begin(), at->parts.end(),
+                        [](const RocqTermPointer& part) { return is_type(*part); })),
+                    "_");
+    else
       return result;
   }
 }

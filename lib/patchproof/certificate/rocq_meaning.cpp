@@ -63,7 +63,7 @@ std::size_t RocqMeaning::of_proposition(const RocqTermPointer& term) {
 
 std::size_t RocqMeaning::proposition(const RocqTerm& term, const Scope* scope, std::size_t depth) {
   const Nesting nesting{*this};
-  // A -> (B -> C), as /\ and \/.
+  // A /\ (B /\ C)
   const auto from_the_right = [&](const char* head) {
     std::size_t result = proposition(*term.parts.back(), scope, depth);
     for (std::size_t k = term.parts.size() - 1; k-- > 0;)
@@ -79,7 +79,7 @@ std::size_t RocqMeaning::proposition(const RocqTerm& term, const Scope* scope, s
         result = table_.number_of("forall " + term.binders[k].type, {result});
       return result;
     }
-    case Kind::implication: return from_the_right("->");
+    case Kind::implication: return implication(term, scope, depth);
     case Kind::conjunction: return from_the_right("/\\");
     case Kind::disjunction: return from_the_right("\\/");
     case Kind::negation:
@@ -88,6 +88,30 @@ std::size_t RocqMeaning::proposition(const RocqTerm& term, const Scope* scope, s
     case Kind::application: return smoothness(term, scope, depth);
     default: throw RocqUnreadable{"a value in the place of a proposition"};
   }
+}
+
+// A -> (B -> C), and R -> A for a variable that does not occur in A.
+std::size_t RocqMeaning::implication(const RocqTerm& term, const Scope* scope, std::size_t depth) {
+  struct Link {
+    std::string head;
+    std::vector<std::size_t> parts;
+  };
+  std::vector<Link> links;
+  for (std::size_t k = 0; k + 1 < term.parts.size(); ++k) {
+    const RocqTerm& part = *term.parts[k];
+    if (is_type(part)) {
+      ++depth;
+      links.push_back({"forall " + to_text(part), {}});
+    } else {
+      links.push_back({"->", {proposition(part, scope, depth)}});
+    }
+  }
+  std::size_t result = proposition(*term.parts.back(), scope, depth);
+  for (std::size_t k = links.size(); k-- > 0;) {
+    links[k].parts.push_back(result);
+    result = table_.number_of(std::move(links[k].head), std::move(links[k].parts));
+  }
+  return result;
 }
 
 // a <= b <= c is a <= b /\ b <= c.

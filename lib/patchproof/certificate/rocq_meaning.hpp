@@ -44,6 +44,7 @@ class RocqMeaning {
   class Nesting;
 
   std::size_t proposition(const RocqTerm& term, const Scope* scope, std::size_t depth);
+  std::size_t implication(const RocqTerm& term, const Scope* scope, std::size_t depth);
   std::size_t relation(const RocqTerm& term, const Scope* scope, std::size_t depth);
   std::size_t smoothness(const RocqTerm& term, const Scope* scope, std::size_t depth);
   std::size_t value(const RocqTerm& term, const Scope* scope, std::size_t depth);

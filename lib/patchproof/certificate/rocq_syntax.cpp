@@ -85,6 +85,13 @@ std::string to_text(const RocqTerm& term) {
   return {};
 }
 
+bool is_type(const RocqTerm& term) {
+  if (term.kind == Kind::name) return term.name == "R" || term.name == "nat";
+  return term.kind == Kind::implication &&
+         std::all_of(term.parts.begin(), term.parts.end(),
+                     [](const RocqTermPointer& part) { return is_type(*part); });
+}
+
 bool same_writing(const RocqTerm& a, const RocqTerm& b) {
   const auto same_binder = [](const RocqBinder& x, const RocqBinder& y) {
     return x.name == y.name && x.type == y.type;

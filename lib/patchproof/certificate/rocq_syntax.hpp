@@ -49,6 +49,10 @@ struct RocqTerm {
 /// The term written on one line, with the brackets that a reader needs; read again it is the same.
 std::string to_text(const RocqTerm& term);
 
+/// Whether it is a type of variables: R, nat, R -> R. In front of -> it stands for a variable that
+/// does not occur: Rocq prints `forall x : R, A` as `R -> A`.
+bool is_type(const RocqTerm& term);
+
 /// Whether two terms are written alike, but for brackets and line breaks.
 bool same_writing(const RocqTerm& a, const RocqTerm& b);
 
