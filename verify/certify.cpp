@@ -1,6 +1,6 @@
 // patchproof certify: certificates of verdicts for other programs to check, and coqc's word on them.
 #include <unistd.h>
-#include <verify/certified.hpp>
+#include <verify/case_work.hpp>
 #include <verify/check_options.hpp>
 #include <verify/commands.hpp>
 #include <verify/coqc.hpp>
@@ -34,30 +34,6 @@ struct CertifyArguments {
   bool run_coqc = false;
 };
 
-/// A case on its way: what is certified of it, and what is not and why.
-struct CaseWork {
-  const CaseResult* result = nullptr;
-  std::string file;
-  CaseCertificates found;
-  RocqFile rocq;
-  std::vector<std::string> left_out;
-  /// Ids of claims, each with the reason why it has no certificate.
-  std::vector<std::pair<std::string, std::string>> missing;
-  bool accepted = false;
-  std::vector<std::string> axioms;
-};
-
-void write_down(CaseWork& work) {
-  work.rocq = rocq_file(work.result->verified, without(work.found.certificates, work.left_out));
-}
-
-std::vector<std::string> theorems_of(const CaseWork& work) {
-  std::vector<std::string> ids;
-  for (const RocqTheorem& theorem : work.rocq.theorems)
-    if (!theorem.theorems.empty()) ids.push_back(theorem.claim);
-  return ids;
-}
-
 bool prepared(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -71,22 +47,6 @@ bool written(const CertifyArguments& arguments, const CaseWork& work,
              const std::vector<std::string>& inputs) {
   Output output{(fs::path{arguments.folder} / work.file).string(), inputs};
   return output.good() && output.write(work.rocq.text);
-}
-
-/// The claim whose theorem begins last before the line; "" for none.
-std::string claim_at(const CaseWork& work, std::size_t line) {
-  std::size_t number = 1;
-  std::size_t begin = 0;
-  std::string current;
-  while (begin < work.rocq.text.size() && number <= line) {
-    const std::size_t end = work.rocq.text.find('\n', begin);
-    const std::string text = work.rocq.text.substr(begin, end - begin);
-    for (const RocqTheorem& theorem : work.rocq.theorems)
-      if (text.rfind("(* " + theorem.claim + ":", 0) == 0) current = theorem.claim;
-    begin = end + 1;
-    ++number;
-  }
-  return current;
 }
 
 std::size_t number_of_jobs(const CertifyArguments& arguments) {
@@ -117,6 +77,7 @@ std::string check(const CertifyArguments& arguments, std::vector<CaseWork>& work
       if (run.accepted) {
         work.accepted = true;
         work.axioms = axioms_in(run.output);
+        compare(work, run.output);
         continue;
       }
       const std::string claim = claim_at(work, run.line);
@@ -142,7 +103,7 @@ CheckedFolder record_of(const std::vector<CaseWork>& works, const std::string& c
     const bool good = std::all_of(work.axioms.begin(), work.axioms.end(), is_accepted_axiom);
     if (!work.accepted || !good) continue;
     record.files.push_back({work.result->verified.name, work.file, sha256(work.rocq.text),
-                            theorems_of(work), work.left_out, work.axioms});
+                            certified_in(work), work.left_out, work.axioms});
   }
   return record;
 }
@@ -220,7 +181,7 @@ ExitCode run(const CertifyArguments& arguments) {
     const CheckedFolder record = record_of(works, coqc);
     for (CaseWork& work : works)
       if (work.accepted && !std::all_of(work.axioms.begin(), work.axioms.end(), is_accepted_axiom))
-        for (const std::string& id : theorems_of(work))
+        for (const std::string& id : certified_in(work))
           work.missing.emplace_back(id, "rests on an axiom that is not accepted");
     if (const std::string problem = write_checked(arguments.folder, record); !problem.empty()) {
       print_error("patchproof: " + problem + "\n");
@@ -241,7 +202,7 @@ ExitCode run(const CertifyArguments& arguments) {
                           counted(works.size(), "case") + " " + verb + by + "\n";
   if (!print(cases + sum)) return graver(code, ExitCode::unreadable);
   const bool refused = std::any_of(works.begin(), works.end(), [](const CaseWork& work) {
-    return !work.left_out.empty();
+    return !work.left_out.empty() || !work.misunderstood.empty();
   });
   if (refused) code = graver(code, ExitCode::internal);
   if (arguments.check.strict && done < total) code = graver(code, ExitCode::unknown);
@@ -268,8 +229,8 @@ void declare(CLI::App& command, CertifyArguments& a) {
   option("--limit-steps", a.check.steps, "Arithmetic steps for a claim; 0: no limit", "N")
       ->check(whole_number());
   command.footer(
-      "Ends like 'patchproof check'; with 70 when coqc does not accept a certificate, and with 2\n"
-      "when --strict is given and some claim has none.\n\n"
+      "Ends like 'patchproof check'; with 70 when coqc does not accept a certificate, or takes a claim\n"
+      "for another one than was asked, and with 2 when --strict is given and some claim has none.\n\n"
       "Example:\n  patchproof certify cases/coons -o out --check\n");
 }
 

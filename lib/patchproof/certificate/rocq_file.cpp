@@ -1,5 +1,6 @@
 #include <patchproof/certificate/rocq_file.hpp>
 
+#include <patchproof/certificate/rocq_layout.hpp>
 #include <patchproof/certificate/rocq_proof.hpp>
 #include <patchproof/version.hpp>
 
@@ -27,11 +28,12 @@ class FileWriter {
     RocqFile result;
     std::string theorems;
     for (const Certificate& certificate : certificates) {
-      RocqTheorem theorem{certificate.claim, {}, ""};
+      RocqTheorem theorem{certificate.claim, {}, {}, ""};
       try {
         theorems += written(certificate, theorem);
       } catch (const NotScalar& reason) {
         theorem.theorems.clear();
+        theorem.statements.clear();
         theorem.why_not = reason.what();
       }
       result.theorems.push_back(std::move(theorem));
@@ -43,12 +45,32 @@ class FileWriter {
                              (source.page.empty() ? "" : ", p. " + source.page));
     result.text += comment("written by patchproof " + std::string{version});
     result.text += "Require Import PatchProof.Certificates.\n\n";
-    for (const std::string& definition : text_.definitions()) result.text += definition + "\n\n";
-    result.text += theorems + assumptions(result.theorems);
+    for (const RocqDefinition& definition : text_.definitions()) {
+      result.definitions.push_back(definition.name);
+      result.text += definition.text + "\n\n";
+    }
+    result.text += theorems + understood(result) + assumptions(result.theorems);
     return result;
   }
 
  private:
+  // Shows what Rocq has made of the text. Nothing may be left out for its depth.
+  static std::string understood(const RocqFile& file) {
+    std::string prints;
+    std::string checks;
+    for (const RocqTheorem& theorem : file.theorems)
+      for (std::size_t k = 0; k < theorem.theorems.size(); ++k) {
+        prints += "Print " + theorem.statements[k] + ".\n";
+        checks += "Check " + theorem.theorems[k] + ".\n";
+      }
+    if (prints.empty()) return "";
+    std::string definitions;
+    for (const std::string& name : file.definitions) definitions += "Print " + name + ".\n";
+    return comment("what Rocq has understood") +
+           "Set Printing Depth 100000.\nSet Printing Width 200.\n" + definitions + prints + checks +
+           "\n";
+  }
+
   // Of all theorems at once: each time it takes as long as many proofs.
   static std::string assumptions(const std::vector<RocqTheorem>& theorems) {
     std::string all;
@@ -97,8 +119,10 @@ class FileWriter {
     const std::string claim = names_.fresh("claim_" + label + suffix);
     const std::string name = names_.fresh("certified_" + label + suffix);
     theorem.theorems.push_back(name);
-    return "Definition " + claim + " : Prop :=\n" + sequent.statement().text() + ".\nTheorem " + name +
-           " : " + sign + claim + ".\nProof.\n" + proof + "\nQed.\n\n";
+    theorem.statements.push_back(claim);
+    const std::string statement =
+        with_short_lines("Definition " + claim + " : Prop :=\n" + sequent.statement().text() + ".\n");
+    return statement + "Theorem " + name + " : " + sign + claim + ".\nProof.\n" + proof + "\nQed.\n\n";
   }
 
   const Case& given_;

@@ -15,18 +15,23 @@ struct RocqTheorem {
   std::string claim;
   /// Names of the theorems; empty when it could not be written.
   std::vector<std::string> theorems;
+  /// Names of their statements.
+  std::vector<std::string> statements;
   /// Why it could not be written.
   std::string why_not;
 };
 
 struct RocqFile {
   std::string text;
+  /// Names of what is defined, but for the statements; each stands after those it needs.
+  std::vector<std::string> definitions;
   /// One for each certificate, in the same order.
   std::vector<RocqTheorem> theorems;
 };
 
 /// A file for coqc with a definition for everything the case has a name for, and for each certificate
-/// a statement `claim_…`, a theorem `certified_…`, and `Print Assumptions`.
+/// a statement `claim_…` and a theorem `certified_…`; then it prints what Rocq has understood of the
+/// definitions, statements and theorems, in this order, and the assumptions.
 RocqFile rocq_file(const Case& given, const std::vector<Certificate>& certificates);
 
 }  // namespace patchproof

@@ -194,15 +194,17 @@ std::string RocqSequent::relation_text(const Statement& statement) {
   std::vector<std::string> parts;
   for (std::size_t c = 0; c < component_count(statement); ++c) {
     const auto [left, right] = sides(statement, c);
-    parts.push_back(text_.of(left) + symbol_of(statement.relation) + text_.of(right));
+    // The left side gets its names first, whatever the compiler.
+    const std::string first = text_.of(left);
+    parts.push_back(first + symbol_of(statement.relation) + text_.of(right));
   }
   return joined(parts, statement.relation == Relation::not_equal ? " \\/\n  " : " /\\\n  ");
 }
 
 std::string RocqSequent::range_text(const ParameterRange& range) {
   const auto end = [&](const Term& term) { return text_.of(scalars_.of(term).front()); };
-  return end(range.lower) + " <= " + names_.variable(range.parameter).name +
-         " <= " + end(range.upper);
+  const std::string lower = end(range.lower);
+  return lower + " <= " + names_.variable(range.parameter).name + " <= " + end(range.upper);
 }
 
 std::string RocqSequent::hypothesis_text(std::size_t hypothesis) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <patchproof/certificate/rocq_layout.hpp>
+
 namespace patchproof {
 
 namespace {
@@ -119,6 +121,12 @@ std::string RocqText::expression(const ScalarPointer& scalar, int level) {
   const auto child = [&](std::size_t k, int allowed) {
     return expression(scalar->children[k], allowed);
   };
+  // From the left to the right: what is met first gets its name first, whatever the compiler.
+  const auto pair = [&](int left, const char* sign, int right) {
+    std::string text = child(0, left);
+    text += sign;
+    return text + child(1, right);
+  };
   switch (scalar->kind) {
     case Kind::integer: {
       const bool negative = scalar->number < 0;
@@ -129,13 +137,13 @@ std::string RocqText::expression(const ScalarPointer& scalar, int level) {
       const std::string text = variable(scalar->coordinate);
       return bracketed(text, text.find(' ') == std::string::npos ? of_name : of_call, level);
     }
-    case Kind::sum: return bracketed(child(0, of_sum) + " + " + child(1, of_sum - 1), of_sum, level);
+    case Kind::sum: return bracketed(pair(of_sum, " + ", of_sum - 1), of_sum, level);
     case Kind::difference:
-      return bracketed(child(0, of_sum) + " - " + child(1, of_sum - 1), of_sum, level);
+      return bracketed(pair(of_sum, " - ", of_sum - 1), of_sum, level);
     case Kind::product:
-      return bracketed(child(0, of_product) + " * " + child(1, of_opposite - 1), of_product, level);
+      return bracketed(pair(of_product, " * ", of_opposite - 1), of_product, level);
     case Kind::quotient:
-      return bracketed(child(0, of_product) + " / " + child(1, of_opposite - 1), of_product, level);
+      return bracketed(pair(of_product, " / ", of_opposite - 1), of_product, level);
     case Kind::opposite: {
       // -2 would be a number, not the opposite of one.
       const bool number = scalar->children[0]->kind == Kind::integer;
@@ -150,10 +158,10 @@ std::string RocqText::expression(const ScalarPointer& scalar, int level) {
                        of_call, level);
     case Kind::root: return bracketed("sqrt " + child(0, of_name), of_call, level);
     case Kind::application: return bracketed(application(*scalar), of_call, level);
-    case Kind::integral:
-      return bracketed("RInt (" + binder({scalar->formal}, scalar->children[2]) + ") " +
-                           child(0, of_name) + " " + child(1, of_name),
-                       of_call, level);
+    case Kind::integral: {
+      const std::string integrand = binder({scalar->formal}, scalar->children[2]);
+      return bracketed("RInt (" + integrand + ") " + pair(of_name, " ", of_name), of_call, level);
+    }
     case Kind::named: {
       const ScalarPointer& value = scalar->children.front();
       const Symbols& symbols = free_symbols(value);
@@ -242,7 +250,9 @@ std::string RocqText::named(const std::string& name, std::size_t component, cons
   const auto [known, is_new] = meanings_.try_emplace(wanted + head + " :=\n  " + body + ".");
   if (is_new) {
     known->second = names_.fresh(wanted);
-    definitions_.push_back("Definition " + known->second + known->first.substr(wanted.size()));
+    definitions_.push_back(
+        {known->second, with_short_lines("Definition " + known->second +
+                                         known->first.substr(wanted.size()))});
   }
   return defined_.emplace(key, known->second + arguments).first->second;
 }

@@ -10,6 +10,13 @@
 
 namespace patchproof {
 
+/// A definition of something that the case has a name for.
+struct RocqDefinition {
+  std::string name;
+  /// "Definition name … := …."
+  std::string text;
+};
+
 /// Writes scalars as a reader of Rocq expects them: (1 - u) * C1 0, D_u (r V) 0 v.
 ///
 /// What the case has a name for becomes a definition, made when it is first needed.
@@ -22,7 +29,7 @@ class RocqText {
   std::string of(const ScalarFunctionPointer& function) { return function_text(function); }
 
   /// The definitions made so far, each after those it needs.
-  const std::vector<std::string>& definitions() const { return definitions_; }
+  const std::vector<RocqDefinition>& definitions() const { return definitions_; }
 
   /// All symbols that occur and are not bound inside, by ordinal.
   const std::map<unsigned, SymbolPointer>& free_symbols(const ScalarPointer& scalar);
@@ -47,7 +54,7 @@ class RocqText {
   RocqNames& names_;
   /// Bound variables in scope.
   std::map<unsigned, std::string> bound_;
-  std::vector<std::string> definitions_;
+  std::vector<RocqDefinition> definitions_;
   /// The text of a definition after its name -> the name it got.
   std::map<std::string, std::string> meanings_;
   /// What was defined -> "r V C1".

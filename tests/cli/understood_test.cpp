@@ -1,0 +1,93 @@
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+
+#include <tests/certificate/small_case.hpp>
+#include <tests/cli/program.hpp>
+
+namespace patchproof {
+namespace {
+
+bool is_installed(const std::string& program) {
+  std::string command{"command -v "};
+  command.append(program).append(" > /dev/null 2>&1");
+  return std::system(command.c_str()) == 0;
+}
+
+/// Puts a folder in front of all others in which programs are looked for.
+class FirstInPath {
+ public:
+  explicit FirstInPath(const std::string& folder) : before_{std::getenv("PATH")} {
+    std::string folders = folder;
+    folders.append(":").append(before_);
+    ::setenv("PATH", folders.c_str(), 1);
+  }
+  ~FirstInPath() { ::setenv("PATH", before_.c_str(), 1); }
+  FirstInPath(const FirstInPath&) = delete;
+  FirstInPath& operator=(const FirstInPath&) = delete;
+
+ private:
+  std::string before_;
+};
+
+/// How certify ends when coqc accepts everything and prints this.
+Ended certified_by(const std::string& printed, const TemporaryFolder& folder) {
+  const TemporaryFolder programs;
+  programs.write("printed", printed);
+  std::string script =
+      "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 'version 8.16.1'; exit; fi\n";
+  script.append("cat '").append(programs.path("printed")).append("'\n");
+  programs.write("coqc", script);
+  std::filesystem::permissions(programs.path("coqc"), std::filesystem::perms::owner_all);
+  const FirstInPath path{programs.path("")};
+  folder.write("small.proof", golden_certificate("small.proof"));
+  return run_program(folder, {"certify", "small.proof", "-o", "out", "--check"});
+}
+
+}  // namespace
+
+TEST_CASE("coqc prints what the golden file says", "[cli]") {
+  if (!is_installed("coqc")) {
+    WARN("coqc is not installed");
+    return;
+  }
+  const TemporaryFolder folder;
+  folder.write("small.proof", golden_certificate("small.proof"));
+  const Ended ended = run_program(folder, {"certify", "small.proof", "-o", "out", "--check"});
+  CHECK(ended.errors == "");
+  CHECK(ended.code == 0);
+  CHECK(ended.output.starts_with("small: 8 of 8 claims certified\n"));
+  const std::string log = folder.text("out/small.log");
+  CHECK(log.substr(0, log.find("Axioms:")) == golden_certificate("small.printed"));
+}
+
+TEST_CASE("A claim that Rocq took for another one is not certified", "[cli]") {
+  const TemporaryFolder folder;
+  CHECK(certified_by(golden_certificate("small.printed"), folder).code == 0);
+  CHECK(folder.text("out/certified.json").find("small.points") != std::string::npos);
+
+  const std::string printed =
+      with_part(golden_certificate("small.printed"), "q 0%nat = p 0%nat", "q 0%nat = q 0%nat");
+  const Ended ended = certified_by(printed, folder);
+  CHECK(ended.code == 70);
+  CHECK(
+      ended.output ==
+      "small: 7 of 8 claims certified\n"
+      "    small.points: not what was asked: conclusion: Rocq understood q 0%nat where p 0%nat was "
+      "asked, in p 0%nat - q 0%nat + q 0%nat = q 0%nat\n"
+      "7 of 8 claims in 1 case certified (coqc 8.16.1, axioms: none)\n");
+  CHECK(folder.text("out/certified.json").find("small.points") == std::string::npos);
+  CHECK(folder.text("out/certified.json").find("small.corner") != std::string::npos);
+}
+
+TEST_CASE("Nothing is certified that was not printed", "[cli]") {
+  const TemporaryFolder folder;
+  const Ended ended = certified_by("", folder);
+  CHECK(ended.code == 70);
+  CHECK(
+      ended.output.starts_with("small: 0 of 8 claims certified\n"
+                               "    small.corner: not what was asked: Rocq has not printed "
+                               "certified_corner\n"));
+}
+
+}  // namespace patchproof
