@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <patchproof/certificate/scalar_nodes.hpp>
+
 namespace patchproof {
 
 namespace {
@@ -27,7 +29,71 @@ std::string joined(const std::vector<std::string>& parts) {
   return result;
 }
 
+// The scalar without the sign it begins with: x for -x, 2*x for (-2)*x; none where there is no sign.
+ScalarPointer without_sign(const ScalarPointer& scalar) {
+  switch (scalar->kind) {
+    case Kind::integer:
+      return scalar->number < 0 ? scalar_number(Rational{-scalar->number}) : nullptr;
+    case Kind::opposite: return scalar->children[0];
+    case Kind::product:
+    case Kind::quotient: {
+      const ScalarPointer first = without_sign(scalar->children[0]);
+      return first ? scalar_pair(scalar->kind, first, scalar->children[1]) : nullptr;
+    }
+    default: return nullptr;
+  }
+}
+
+bool is_number(const ScalarPointer& scalar, int number) {
+  return scalar->kind == Kind::integer && scalar->number == number;
+}
+
 }  // namespace
+
+std::string PythonText::sum(const Scalar& scalar) {
+  const bool is_sum = scalar.kind == Kind::sum;
+  const std::string left = expression(scalar.children[0], of_sum);
+  const ScalarPointer turned = without_sign(scalar.children[1]);
+  if (turned) seen_.push_back(turned);
+  return left + (is_sum == !turned ? " + " : " - ") +
+         expression(turned ? turned : scalar.children[1], of_product);
+}
+
+// One times x is x, and minus one times x is -x.
+std::string PythonText::product(const Scalar& scalar, int level) {
+  const ScalarPointer& first = scalar.children[0];
+  const ScalarPointer& second = scalar.children[1];
+  if (is_number(first, 1)) return expression(second, level);
+  if (is_number(second, 1)) return expression(first, level);
+  if (is_number(first, -1))
+    return bracketed("-" + expression(second, of_power), of_opposite, level);
+  return bracketed(expression(first, of_product) + "*" + expression(second, of_power), of_product,
+                   level);
+}
+
+// The argument that can stand for a formal parameter in the body: a variable without indices.
+std::string PythonText::plain_name(const ScalarPointer& scalar) {
+  if (scalar->kind != Kind::variable) return "";
+  const std::string text = variable(scalar->coordinate);
+  return text.find('[') == std::string::npos ? text : "";
+}
+
+std::string PythonText::application(const Scalar& scalar, int level) {
+  const ScalarFunction& function = *scalar.function;
+  std::vector<std::string> arguments;
+  bool plain = function.kind == ScalarFunction::Kind::lambda;
+  for (const ScalarPointer& argument : scalar.children) {
+    arguments.push_back(expression(argument, of_lambda));
+    plain = plain && !plain_name(argument).empty();
+  }
+  if (!plain) return function_text(scalar.function) + "(" + joined(arguments) + ")";
+  const std::map<unsigned, std::string> outside = bound_;
+  for (std::size_t k = 0; k < arguments.size(); ++k)
+    bound_[function.formals[k]->ordinal] = arguments[k];
+  const std::string result = expression(function.body, level);
+  bound_ = outside;
+  return result;
+}
 
 std::string PythonText::variable(const Coordinate& coordinate) {
   const auto bound = bound_.find(coordinate.symbol->ordinal);
@@ -109,11 +175,11 @@ std::string PythonText::expression(const ScalarPointer& scalar, int level) {
     case Kind::integer:
       return bracketed(scalar->number.str(), scalar->number < 0 ? of_opposite : of_call, level);
     case Kind::variable: return variable(scalar->coordinate);
-    case Kind::sum: return bracketed(child(0, of_sum) + " + " + child(1, of_product), of_sum, level);
+    case Kind::sum:
     case Kind::difference:
-      return bracketed(child(0, of_sum) + " - " + child(1, of_product), of_sum, level);
-    case Kind::product:
-      return bracketed(child(0, of_product) + "*" + child(1, of_power), of_product, level);
+      if (is_number(scalar->children[1], 0)) return child(0, level);
+      return bracketed(sum(*scalar), of_sum, level);
+    case Kind::product: return product(*scalar, level);
     case Kind::quotient: {
       const bool numbers = scalar->children[0]->kind == Kind::integer &&
                            scalar->children[1]->kind == Kind::integer;
@@ -126,12 +192,7 @@ std::string PythonText::expression(const ScalarPointer& scalar, int level) {
       return "B(" + std::to_string(scalar->order) + ", " + std::to_string(scalar->index) + ", " +
              child(0, of_lambda) + ")";
     case Kind::root: return "sqrt(" + child(0, of_lambda) + ")";
-    case Kind::application: {
-      std::vector<std::string> arguments;
-      for (const ScalarPointer& argument : scalar->children)
-        arguments.push_back(expression(argument, of_lambda));
-      return function_text(scalar->function) + "(" + joined(arguments) + ")";
-    }
+    case Kind::application: return application(*scalar, level);
     case Kind::integral:
       return "integral(" + lambda({scalar->formal}, scalar->children[2]) + ", " +
              child(0, of_lambda) + ", " + child(1, of_lambda) + ")";

@@ -32,7 +32,11 @@ class PythonText {
   using Symbols = ScalarSymbols::Symbols;
 
   std::string expression(const ScalarPointer& scalar, int level);
+  std::string sum(const Scalar& scalar);
+  std::string product(const Scalar& scalar, int level);
   std::string quotient(const Scalar& scalar);
+  std::string application(const Scalar& scalar, int level);
+  std::string plain_name(const ScalarPointer& scalar);
   std::string function_text(const ScalarFunctionPointer& function);
   std::string derivative_text(const ScalarFunctionPointer& function);
   std::string lambda(const std::vector<SymbolPointer>& formals, const ScalarPointer& body);

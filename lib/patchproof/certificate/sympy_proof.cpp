@@ -2,26 +2,15 @@
 
 #include <map>
 
+#include <patchproof/certificate/python_lines.hpp>
 #include <patchproof/certificate/scalar_nodes.hpp>
 #include <patchproof/certificate/sequents.hpp>
-#include <patchproof/term/plain_text.hpp>
 
 namespace patchproof {
 
 namespace {
 
 const std::string margin = "    ";
-
-std::string relation_word(Relation relation) {
-  switch (relation) {
-    case Relation::equal: return " == ";
-    case Relation::not_equal: return " != ";
-    case Relation::less: return " < ";
-    case Relation::less_equal: return " <= ";
-    case Relation::greater: return " > ";
-    default: return " >= ";
-  }
-}
 
 class ProofWriter {
  public:
@@ -155,8 +144,8 @@ class ProofWriter {
   }
 
   void add_not_zero(const NonZero& item) {
-    remark(item.hypothesis ? "is not 0, which is assumed: " + to_text(item.scalar)
-                           : "is not 0: " + to_text(item.scalar));
+    remark(item.hypothesis ? "a divisor that is assumed not to be 0: " + expression(item.scalar)
+                           : "a divisor that is not 0: " + expression(item.scalar));
     if (!item.sign) return;
     const std::string scalar = factor(item.scalar);
     add_sign(item.negative ? "-" + scalar : expression(item.scalar), true, *item.sign, facts_);
@@ -164,8 +153,6 @@ class ProofWriter {
 
   void add(const ComponentProof& component) {
     const Statement& s = proof_.sequent.conclusions.at(component.conclusion);
-    if (component.component == 0 && (proof_.sequent.conclusions.size() > 1))
-      remark(to_text(s.left) + relation_word(s.relation) + to_text(s.right));
     if (const auto* equation = std::get_if<EquationProof>(&component.why)) {
       const std::string goal = text_.of(difference(s, component.component, false));
       return yield_zero(goal, nullptr, equation->cofactors);
@@ -187,16 +174,6 @@ class ProofWriter {
 };
 
 }  // namespace
-
-std::string python_comment(const std::string& text, const std::string& indentation) {
-  std::string result = indentation + "# ";
-  for (const char c : text) {
-    if (c == '\r') continue;
-    result += c;
-    if (c == '\n') result += indentation + "# ";
-  }
-  return result + "\n";
-}
 
 std::string sympy_proof(const SequentProof& proof, Scalars& scalars, PythonText& text) {
   return ProofWriter{proof, scalars, text}.written();

@@ -16,7 +16,4 @@ std::string sympy_proof(const SequentProof& proof, Scalars& scalars, PythonText&
 /// @throws NotScalar for what cannot be written, and when a symbol has no value
 std::string sympy_refutation(const Refutation& refutation, Scalars& scalars, PythonText& text);
 
-/// "\n    # text" with a mark on each of its lines.
-std::string python_comment(const std::string& text, const std::string& indentation);
-
 }  // namespace patchproof

@@ -1,5 +1,6 @@
 #include <map>
 
+#include <patchproof/certificate/python_lines.hpp>
 #include <patchproof/certificate/scalar_nodes.hpp>
 #include <patchproof/certificate/sequents.hpp>
 #include <patchproof/certificate/sympy_proof.hpp>

@@ -1,5 +1,6 @@
 #include <patchproof/certificate/sympy_script.hpp>
 
+#include <patchproof/certificate/python_lines.hpp>
 #include <patchproof/certificate/sympy_helpers.hpp>
 #include <patchproof/certificate/sympy_proof.hpp>
 #include <patchproof/version.hpp>
@@ -22,7 +23,7 @@ class ScriptWriter {
       try {
         const std::string check = body(certificate);
         const std::string name = names_.fresh("claim_" + label);
-        checks += "\n\n" + said + "def " + name + "():\n" + check;
+        checks += "\n\n" + said + "def " + name + "():\n" + python_lines(check);
         table += "    \"" + label + "\": " + name + ",\n";
       } catch (const NotScalar& reason) {
         checks += "\n\n" + said + python_comment("not written: " + std::string{reason.what()}, "");
@@ -58,7 +59,7 @@ sys.exit(1 if failed else 0)
     const std::string declarations = names_.declarations();
     if (!declarations.empty()) result += "\n\n# The symbols of the case.\n" + declarations;
     if (!text_.definitions().empty()) result += "\n\n# What the case has a name for.\n";
-    for (const std::string& definition : text_.definitions()) result += definition + "\n";
+    for (const std::string& definition : text_.definitions()) result += python_lines(definition) + "\n";
     return result;
   }
 
