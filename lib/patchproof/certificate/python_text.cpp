@@ -19,8 +19,25 @@ constexpr int of_opposite = 35;
 constexpr int of_power = 30;
 constexpr int of_call = 0;
 
+constexpr const char* name_characters =
+    "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
+// A name, a number, or a call: letters and digits, and at the end something in brackets.
+bool is_operand(const std::string& text) {
+  const std::size_t open = text.find_first_of("([");
+  const std::string name = text.substr(0, open);
+  if (name.empty() || name.find_first_not_of(name_characters) != std::string::npos) return false;
+  int depth = 0;
+  for (std::size_t k = open; k < text.size(); ++k) {
+    if (text[k] == '(' || text[k] == '[') ++depth;
+    if (text[k] == ')' || text[k] == ']') --depth;
+    if (depth == 0 && k + 1 < text.size()) return false;
+  }
+  return true;
+}
+
 std::string bracketed(const std::string& text, int own, int allowed) {
-  return own > allowed ? "(" + text + ")" : text;
+  return own > allowed && !is_operand(text) ? "(" + text + ")" : text;
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -50,19 +67,23 @@ bool is_number(const ScalarPointer& scalar, int number) {
 
 }  // namespace
 
-std::string PythonText::sum(const Scalar& scalar) {
-  const bool is_sum = scalar.kind == Kind::sum;
-  const std::string left = expression(scalar.children[0], of_sum);
+// What is 0 is left out, and what begins with a sign is taken away. Each part is written once: sums
+// inside of sums would take too long otherwise.
+std::string PythonText::sum(const Scalar& scalar, int level) {
   const ScalarPointer turned = without_sign(scalar.children[1]);
-  if (turned) seen_.push_back(turned);
-  return left + (is_sum == !turned ? " + " : " - ") +
-         expression(turned ? turned : scalar.children[1], of_product);
+  const bool added = (scalar.kind == Kind::sum) == !turned;
+  const std::string left = expression(scalar.children[0], of_sum);
+  const std::string right = expression(turned ? turned : scalar.children[1], of_product);
+  if (right == "0") return bracketed(left, of_sum, level);
+  if (left == "0" && added) return bracketed(right, of_product, level);
+  return bracketed(left + (added ? " + " : " - ") + right, of_sum, level);
 }
 
-// One times x is x, and minus one times x is -x.
+// One times x is x, minus one times x is -x, and nothing is left of zero times x.
 std::string PythonText::product(const Scalar& scalar, int level) {
   const ScalarPointer& first = scalar.children[0];
   const ScalarPointer& second = scalar.children[1];
+  if (is_number(first, 0) || is_number(second, 0)) return "0";
   if (is_number(first, 1)) return expression(second, level);
   if (is_number(second, 1)) return expression(first, level);
   if (is_number(first, -1))
@@ -176,9 +197,7 @@ std::string PythonText::expression(const ScalarPointer& scalar, int level) {
       return bracketed(scalar->number.str(), scalar->number < 0 ? of_opposite : of_call, level);
     case Kind::variable: return variable(scalar->coordinate);
     case Kind::sum:
-    case Kind::difference:
-      if (is_number(scalar->children[1], 0)) return child(0, level);
-      return bracketed(sum(*scalar), of_sum, level);
+    case Kind::difference: return sum(*scalar, level);
     case Kind::product: return product(*scalar, level);
     case Kind::quotient: {
       const bool numbers = scalar->children[0]->kind == Kind::integer &&

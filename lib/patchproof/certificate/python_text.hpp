@@ -32,7 +32,7 @@ class PythonText {
   using Symbols = ScalarSymbols::Symbols;
 
   std::string expression(const ScalarPointer& scalar, int level);
-  std::string sum(const Scalar& scalar);
+  std::string sum(const Scalar& scalar, int level);
   std::string product(const Scalar& scalar, int level);
   std::string quotient(const Scalar& scalar);
   std::string application(const Scalar& scalar, int level);

@@ -6,12 +6,14 @@ namespace patchproof {
 // for one value in more than one way.
 std::string_view sympy_helpers() {
   return R"py(
+import operator
 import sys
-from functools import cache
+from functools import cache, reduce
 from itertools import product
 
-from sympy import (Add, Dummy, Function, Integral, Rational, S, Symbol, binomial, cancel, diff,
+from sympy import (QQ, Add, Dummy, Function, Integral, Rational, S, Symbol, binomial, cancel, diff,
                    expand, fraction, integrate, simplify, sqrt, together)
+from sympy.polys.fields import field
 
 
 def tidy(x):
@@ -104,9 +106,39 @@ def at(expression, values):
     return expression.func(*places)
 
 
+def parts(x):
+    """What x is made of by rational operations."""
+    if x.is_Rational:
+        return set()
+    if x.is_Add or x.is_Mul:
+        return set().union(*map(parts, x.args))
+    if x.is_Pow and x.exp.is_Integer:
+        return parts(x.base)
+    return {x}
+
+
 def is_zero(x):
-    x = expand(x)
-    return x == 0 or expand(fraction(together(x))[0]) == 0 or simplify(x) == 0
+    """Whether x is zero as a rational function of its parts."""
+    x = S(x)
+    names = sorted(parts(x), key=str)
+    if not names:
+        return x == 0
+    numbers = dict(zip(names, field([str(k) for k in range(len(names))], QQ)[1:]))
+
+    def value(y):
+        if y.is_Rational:
+            return QQ(y.p, y.q)
+        if y in numbers:
+            return numbers[y]
+        if y.is_Pow:
+            return value(y.base)**int(y.exp)
+        values = list(map(value, y.args))
+        return reduce(operator.add if y.is_Add else operator.mul, values)
+
+    if value(x) == 0:
+        return True
+    # Roots are no names for anything: their squares are known.
+    return any(y.is_Pow for y in names) and simplify(x) == 0
 
 
 def is_positive(x):
