@@ -11,18 +11,17 @@ namespace {
 // Words of Python and of what stands at the top of a script.
 const std::set<std::string>& words() {
   static const std::set<std::string> all{
-      "False",    "None",     "True",     "and",    "as",      "assert",   "async",     "await",
-      "break",    "class",    "continue", "def",    "del",     "elif",     "else",      "except",
-      "finally",  "for",      "from",     "global", "if",      "import",   "in",        "is",
-      "lambda",   "nonlocal", "not",      "or",     "pass",    "raise",    "return",    "try",
-      "while",    "with",     "yield",    "all",    "bool",    "dict",     "isinstance", "len",
-      "list",     "map",      "max",      "print",  "range",   "set",      "str",       "sum",
-      "super",    "tuple",    "type",     "zip",    "sys",     "cache",    "product",   "Add",
-      "Dummy",    "Function", "Integral", "Rational", "S",     "Symbol",   "binomial",  "cancel",
-      "diff",     "expand",   "fraction", "integrate", "simplify", "sqrt", "together",  "B",
-      "D",        "at",       "array",    "unknown", "integral", "is_zero", "is_positive",
-      "is_not_negative",      "differs",  "tidy",   "CLAIMS",  "failed",   "holds",     "check",
-      "claim",    "values",   "place",    "everything", "getattr", "any", "functions", "numbers"};
+      "Add", "CLAIMS", "Dummy", "False", "Function", "Integral", "None", "QQ", "Rational", "S",
+      "Symbol", "True", "all", "and", "any", "array", "as", "assert", "async", "at", "await",
+      "bernstein", "binomial", "bool", "break", "cache", "cancel", "claim", "class", "continue",
+      "def", "del", "derivative", "dict", "diff", "differs", "elif", "else", "everything",
+      "except", "expand", "failed", "field", "finally", "for", "fraction", "from", "getattr",
+      "global", "holds", "if", "import", "in", "int", "integral", "integrate", "is",
+      "is_not_negative", "is_positive", "is_zero", "isinstance", "key", "label", "lambda", "len",
+      "list", "map", "max", "nonlocal", "not", "operator", "or", "parts", "pass", "place",
+      "print", "product", "raise", "range", "reduce", "return", "set", "simplify", "sorted",
+      "sqrt", "str", "sum", "super", "sys", "tidy", "together", "try", "tuple", "type", "unknown",
+      "values", "while", "with", "yield", "zip"};
   return all;
 }
 

@@ -208,7 +208,7 @@ std::string PythonText::expression(const ScalarPointer& scalar, int level) {
     case Kind::power:
       return bracketed(child(0, of_call) + "**" + std::to_string(scalar->order), of_power, level);
     case Kind::bernstein:
-      return "B(" + std::to_string(scalar->order) + ", " + std::to_string(scalar->index) + ", " +
+      return "bernstein(" + std::to_string(scalar->order) + ", " + std::to_string(scalar->index) + ", " +
              child(0, of_lambda) + ")";
     case Kind::root: return "sqrt(" + child(0, of_lambda) + ")";
     case Kind::application: return application(*scalar, level);
@@ -231,7 +231,7 @@ std::string PythonText::derivative_text(const ScalarFunctionPointer& function) {
   ScalarFunctionPointer inner = function;
   for (; inner->kind == ScalarFunction::Kind::derivative; inner = inner->inner)
     ++orders.at(inner->slot);
-  std::string result = "D(" + function_text(inner);
+  std::string result = "derivative(" + function_text(inner);
   for (const unsigned order : orders) result += ", " + std::to_string(order);
   return result + ")";
 }

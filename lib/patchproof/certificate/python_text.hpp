@@ -12,7 +12,7 @@
 
 namespace patchproof {
 
-/// Writes scalars as expressions of Python over SymPy: (1 - u)*C1(0), D(r, 1, 0)(0, v).
+/// Writes scalars as expressions of Python over SymPy: (1 - u)*C1(0), derivative(r, 1, 0)(0, v).
 ///
 /// What the case has a name for becomes a definition, made when it is first needed.
 class PythonText {
@@ -22,7 +22,7 @@ class PythonText {
   std::string of(const ScalarPointer& scalar) { return expression(scalar, 100); }
   /// To be put beside an operator: in brackets unless it is a name or a call.
   std::string factor(const ScalarPointer& scalar) { return expression(scalar, 0); }
-  /// A function as something that can be called: "C1", "(lambda u: 1 - u)", "D(r, 1, 0)".
+  /// A function as something that can be called: "C1", "(lambda u: 1 - u)", "derivative(r, 1, 0)".
   std::string of(const ScalarFunctionPointer& function) { return function_text(function); }
 
   /// The definitions made so far, each after those it needs.

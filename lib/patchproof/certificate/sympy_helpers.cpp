@@ -56,13 +56,13 @@ def array(name, *sizes, arity=0):
     return entries
 
 
-def B(n, i, t):
+def bernstein(n, i, t):
     """The Bernstein polynomial B_i^n(t)."""
     return binomial(n, i) * S(t)**i * (1 - S(t))**(n - i)
 
 
 @cache
-def D(f, *orders):
+def derivative(f, *orders):
     """The function that is f differentiated so often in each of its arguments."""
     names = [Dummy() for _ in orders]
     value = S(f(*names))
@@ -102,7 +102,7 @@ def at(expression, values):
     places = [at(x, values) for x in expression.args]
     f, orders = getattr(expression.func, "origin", (None, None))
     if f in values:
-        return S(D(values[f], *orders)(*places) if any(orders) else values[f](*places))
+        return S(derivative(values[f], *orders)(*places))
     return expression.func(*places)
 
 

@@ -74,7 +74,9 @@ class ProofWriter {
     for (const Cofactor& cofactor : cofactors) {
       const std::string equation = at(cofactor.equation);
       const std::string times = factor(cofactor.factor);
-      result += "\n" + margin + margin + "- " + (times == "1" ? "" : times + "*") + equation;
+      result += "\n" + margin + margin;
+      result += times == "(-1)" ? "+ " : times == "1" ? "- " : "- " + times + "*";
+      result += equation;
     }
     return result;
   }

@@ -31,11 +31,11 @@ class RefutationWriter {
       (is_parameter ? parameters : symbols) += entries(symbol);
     }
     result_ = margin + "values = {" + symbols + (symbols.empty() ? "}\n" : "\n" + margin + "}\n");
-    if (!parameters.empty())
+    if (!parameters.empty()) {
       result_ += margin + "place = {" + parameters + "\n" + margin + "}\n";
-    else
-      result_ += margin + "place = {}\n";
-    result_ += margin + "everything = {**values, **place}\n";
+      result_ += margin + "everything = {**values, **place}\n";
+      everything_ = "everything";
+    }
     for (const ParameterRange& range : sequent.ranges) add_range(range);
     for (const Assumption& hypothesis : sequent.hypotheses) add_hypothesis(hypothesis);
     add_conclusion();
@@ -87,7 +87,7 @@ class RefutationWriter {
     if (!images_.contains(range.parameter->ordinal)) return;
     const ScalarPointer parameter = scalar_variable({range.parameter, 0});
     const auto part = [&](const ScalarPointer& a, const ScalarPointer& b) {
-      return at(text_.of(scalar_pair(Scalar::Kind::difference, a, b)), "everything");
+      return at(text_.of(scalar_pair(Scalar::Kind::difference, a, b)), everything_);
     };
     remark("the place is in the range:");
     check("is_not_negative(" + part(parameter, scalars_.of(range.lower).front()) + ")");
@@ -105,12 +105,12 @@ class RefutationWriter {
     if (s.relation == Relation::not_equal) {
       std::string any;
       for (std::size_t c = 0; c < component_count(s); ++c)
-        any += std::string{c == 0 ? "" : " or "} + "differs(" + at(difference(s, c), "everything") + ")";
+        any += std::string{c == 0 ? "" : " or "} + "differs(" + at(difference(s, c), everything_) + ")";
       return check(any);
     }
     const bool turned = s.relation == Relation::less || s.relation == Relation::less_equal;
     const bool strict = s.relation == Relation::less || s.relation == Relation::greater;
-    check((strict ? "is_positive(" : "is_not_negative(") + at(difference(s, 0, turned), "everything") +
+    check((strict ? "is_positive(" : "is_not_negative(") + at(difference(s, 0, turned), everything_) +
           ")");
   }
 
@@ -119,18 +119,18 @@ class RefutationWriter {
     const std::size_t c = refutation_.component;
     remark("and yet not what is claimed:");
     switch (s.relation) {
-      case Relation::equal: return check("differs(" + at(difference(s, c), "everything") + ")");
+      case Relation::equal: return check("differs(" + at(difference(s, c), everything_) + ")");
       case Relation::not_equal:
         for (std::size_t k = 0; k < component_count(s); ++k)
-          check("is_zero(" + at(difference(s, k), "everything") + ")");
+          check("is_zero(" + at(difference(s, k), everything_) + ")");
         return;
       case Relation::less:
-        return check("is_not_negative(" + at(difference(s, c), "everything") + ")");
+        return check("is_not_negative(" + at(difference(s, c), everything_) + ")");
       case Relation::less_equal:
-        return check("is_positive(" + at(difference(s, c), "everything") + ")");
+        return check("is_positive(" + at(difference(s, c), everything_) + ")");
       case Relation::greater:
-        return check("is_not_negative(" + at(difference(s, c, true), "everything") + ")");
-      default: return check("is_positive(" + at(difference(s, c, true), "everything") + ")");
+        return check("is_not_negative(" + at(difference(s, c, true), everything_) + ")");
+      default: return check("is_positive(" + at(difference(s, c, true), everything_) + ")");
     }
   }
 
@@ -138,6 +138,8 @@ class RefutationWriter {
   Scalars& scalars_;
   PythonText& text_;
   std::map<unsigned, KnownValue> images_;
+  /// The name of the values of symbols and parameters together.
+  std::string everything_ = "values";
   std::string result_;
 };
 

@@ -59,7 +59,11 @@ sys.exit(1 if failed else 0)
     const std::string declarations = names_.declarations();
     if (!declarations.empty()) result += "\n\n# The symbols of the case.\n" + declarations;
     if (!text_.definitions().empty()) result += "\n\n# What the case has a name for.\n";
-    for (const std::string& definition : text_.definitions()) result += python_lines(definition) + "\n";
+    bool first = true;
+    for (const std::string& definition : text_.definitions()) {
+      result += (first ? "" : "\n") + python_lines(definition);
+      first = false;
+    }
     return result;
   }
 
