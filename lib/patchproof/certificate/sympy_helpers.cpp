@@ -66,6 +66,8 @@ def derivative(f, *orders):
     """The function that is f differentiated so often in each of its arguments."""
     names = [Dummy() for _ in orders]
     value = S(f(*names))
+    if value.is_polynomial():
+        value = expand(value)
     for name, order in zip(names, orders):
         value = diff(value, name, order)
     return lambda *place: at(value, dict(zip(names, place)))
