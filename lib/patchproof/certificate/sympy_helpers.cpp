@@ -97,7 +97,9 @@ def at(expression, values):
     if not expression.args:
         return expression
     if isinstance(expression, Integral):
-        inside, (t, lower, upper) = expression.args
+        # SymPy makes one integral over several variables of integrals inside each other.
+        inside, *inner, (t, lower, upper) = expression.args
+        inside = Integral(inside, *inner) if inner else inside
         new = Dummy("t")
         return integral(lambda x: at(inside.xreplace({t: new}), {**values, new: x}),
                         at(lower, values), at(upper, values))
