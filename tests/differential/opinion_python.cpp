@@ -8,18 +8,12 @@
 #include <tests/cli/program.hpp>
 
 #include "opinion.hpp"
+#include "python.hpp"
 
 namespace patchproof::differential {
 namespace {
 
 const std::string script = PATCHPROOF_SOURCE_FOLDER "/tests/differential/opinion.py";
-
-/// A python3 that has SymPy: the first on the path, or that of Debian.
-std::string python_with_sympy() {
-  for (const std::string python : {"python3", "/usr/bin/python3"})
-    if (std::system((python + " -c 'import sympy' 2>/dev/null").c_str()) == 0) return python;
-  throw std::runtime_error{"no python3 with SymPy; on Debian: apt-get install python3-sympy"};
-}
 
 std::string in_quotes(const std::string& path) { return "'" + path + "'"; }
 

@@ -1,8 +1,8 @@
+#include <patchproof/certificate/array_entry.hpp>
 #include <patchproof/certificate/rocq_names.hpp>
 
 #include <array>
 #include <cctype>
-#include <optional>
 #include <stdexcept>
 
 namespace patchproof {
@@ -21,30 +21,6 @@ const std::set<std::string>& words() {
       "proj1", "proj2", "eq_refl", "true", "false", "Phi", "sigma", "claim", "certified", "True",
       "False", "Q", "Z", "list", "term", "fn", "S", "O", "smooth_all", "IZR", "not", "Rlt", "Rle"};
   return all;
-}
-
-// "V[1,2]" as V and 1, 2.
-struct ArrayEntry {
-  std::string array;
-  std::vector<unsigned> indices;
-};
-std::optional<ArrayEntry> array_entry(const std::string& name) {
-  const std::size_t open = name.find('[');
-  if (open == std::string::npos || name.back() != ']') return std::nullopt;
-  ArrayEntry result{name.substr(0, open), {}};
-  std::string digits;
-  for (std::size_t k = open + 1; k < name.size(); ++k) {
-    const char c = name[k];
-    if (std::isdigit(static_cast<unsigned char>(c))) {
-      digits += c;
-    } else if ((c == ',' || c == ']') && !digits.empty() && digits.size() < 5) {
-      result.indices.push_back(static_cast<unsigned>(std::stoul(digits)));
-      digits.clear();
-    } else if (c != ' ') {
-      return std::nullopt;
-    }
-  }
-  return result;
 }
 
 }  // namespace

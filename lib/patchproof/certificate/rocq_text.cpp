@@ -25,44 +25,6 @@ std::string bracketed(const std::string& text, int own, int allowed) {
 
 }  // namespace
 
-const std::map<unsigned, SymbolPointer>& RocqText::free_symbols(const ScalarPointer& scalar) {
-  const auto found = free_.find(scalar.get());
-  if (found != free_.end()) return found->second;
-  Symbols result;
-  if (scalar->kind == Kind::variable)
-    result.emplace(scalar->coordinate.symbol->ordinal, scalar->coordinate.symbol);
-  for (std::size_t k = 0; k < scalar->children.size(); ++k) {
-    Symbols inner = free_symbols(scalar->children[k]);
-    if (scalar->kind == Kind::integral && k == 2) inner.erase(scalar->formal->ordinal);
-    result.merge(inner);
-  }
-  if (scalar->function) {
-    const Symbols& inner = free_symbols(scalar->function);
-    result.insert(inner.begin(), inner.end());
-  }
-  seen_.push_back(scalar);
-  return free_.emplace(scalar.get(), std::move(result)).first->second;
-}
-
-const std::map<unsigned, SymbolPointer>& RocqText::free_symbols(
-    const ScalarFunctionPointer& function) {
-  const auto found = free_in_functions_.find(function.get());
-  if (found != free_in_functions_.end()) return found->second;
-  Symbols result;
-  switch (function->kind) {
-    case ScalarFunction::Kind::unknown:
-      result.emplace(function->coordinate.symbol->ordinal, function->coordinate.symbol);
-      break;
-    case ScalarFunction::Kind::lambda:
-      result = free_symbols(function->body);
-      for (const SymbolPointer& formal : function->formals) result.erase(formal->ordinal);
-      break;
-    default: result = free_symbols(function->inner); break;
-  }
-  seen_functions_.push_back(function);
-  return free_in_functions_.emplace(function.get(), std::move(result)).first->second;
-}
-
 // fun u v => (fun u v => …) u v is the function inside.
 const ScalarFunction& RocqText::without_application(const ScalarFunction& function) {
   const Scalar& body = *function.body;
@@ -70,7 +32,7 @@ const ScalarFunction& RocqText::without_application(const ScalarFunction& functi
                        body.function->kind == ScalarFunction::Kind::lambda &&
                        body.children.size() == function.formals.size();
   if (!applied) return function;
-  const Symbols& inside = free_symbols(body.function);
+  const Symbols& inside = symbols_.of(body.function);
   for (std::size_t k = 0; k < body.children.size(); ++k) {
     const Scalar& argument = *body.children[k];
     const unsigned formal = function.formals[k]->ordinal;
@@ -107,7 +69,7 @@ std::vector<std::string> RocqText::enter(const std::vector<SymbolPointer>& forma
 }
 
 std::string RocqText::binder(const std::vector<SymbolPointer>& formals, const ScalarPointer& body) {
-  Symbols inside = free_symbols(body);
+  Symbols inside = symbols_.of(body);
   for (const SymbolPointer& formal : formals) inside.erase(formal->ordinal);
   const std::map<unsigned, std::string> outside = bound_;
   std::string result = "fun";
@@ -164,7 +126,7 @@ std::string RocqText::expression(const ScalarPointer& scalar, int level) {
     }
     case Kind::named: {
       const ScalarPointer& value = scalar->children.front();
-      const Symbols& symbols = free_symbols(value);
+      const Symbols& symbols = symbols_.of(value);
       if (depends_on_bound(symbols)) return expression(value, level);
       const std::string text =
           named(scalar->name, scalar->index, value.get(), symbols, value, nullptr);
@@ -187,7 +149,7 @@ std::string RocqText::function_text(const ScalarFunctionPointer& function) {
     case ScalarFunction::Kind::lambda:
       return "(" + binder(function->formals, function->body) + ")";
     case ScalarFunction::Kind::named: {
-      const Symbols& symbols = free_symbols(function->inner);
+      const Symbols& symbols = symbols_.of(function->inner);
       if (depends_on_bound(symbols)) return function_text(function->inner);
       return named(function->name, function->slot, function->inner.get(), symbols, nullptr,
                    function->inner);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <patchproof/certificate/rocq_names.hpp>
+#include <patchproof/certificate/scalar_symbols.hpp>
 
 namespace patchproof {
 
@@ -30,10 +31,6 @@ class RocqText {
 
   /// The definitions made so far, each after those it needs.
   const std::vector<RocqDefinition>& definitions() const { return definitions_; }
-
-  /// All symbols that occur and are not bound inside, by ordinal.
-  const std::map<unsigned, SymbolPointer>& free_symbols(const ScalarPointer& scalar);
-  const std::map<unsigned, SymbolPointer>& free_symbols(const ScalarFunctionPointer& function);
 
  private:
   using Symbols = std::map<unsigned, SymbolPointer>;
@@ -59,11 +56,7 @@ class RocqText {
   std::map<std::string, std::string> meanings_;
   /// What was defined -> "r V C1".
   std::unordered_map<const void*, std::string> defined_;
-  std::unordered_map<const Scalar*, Symbols> free_;
-  std::unordered_map<const ScalarFunction*, Symbols> free_in_functions_;
-  /// Keeps alive what the maps have addresses of.
-  std::vector<ScalarPointer> seen_;
-  std::vector<ScalarFunctionPointer> seen_functions_;
+  ScalarSymbols symbols_;
 };
 
 }  // namespace patchproof
