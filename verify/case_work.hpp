@@ -14,6 +14,8 @@ struct CaseWork {
   std::string file;
   CaseCertificates found;
   RocqFile rocq;
+  /// The text for another format than that of Rocq.
+  std::string other;
   std::vector<std::string> left_out;
   /// Ids of claims, each with the reason why it has no certificate.
   std::vector<std::pair<std::string, std::string>> missing;

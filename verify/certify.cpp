@@ -14,9 +14,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <thread>
 
+#include <patchproof/certificate/json_certificate.hpp>
 #include <patchproof/certificate/rocq_names.hpp>
+#include <patchproof/certificate/sympy_script.hpp>
 #include <patchproof/latex/sha256.hpp>
 #include <patchproof/report/text_report.hpp>
 
@@ -31,6 +34,7 @@ struct CertifyArguments {
   std::string folder;
   std::string coqc_seconds = "300";
   std::string jobs = "0";
+  std::string format = "rocq";
   bool run_coqc = false;
 };
 
@@ -46,7 +50,8 @@ bool prepared(const std::string& folder) {
 bool written(const CertifyArguments& arguments, const CaseWork& work,
              const std::vector<std::string>& inputs) {
   Output output{(fs::path{arguments.folder} / work.file).string(), inputs};
-  return output.good() && output.write(work.rocq.text);
+  return output.good() &&
+         output.write(arguments.format == "rocq" ? work.rocq.text : work.other);
 }
 
 std::size_t number_of_jobs(const CertifyArguments& arguments) {
@@ -128,21 +133,34 @@ std::string said_of(const std::vector<CaseWork>& works, const std::string& verb,
   return text;
 }
 
-std::vector<CaseWork> works_of(const Report& report) {
+CaseWork work_of(const CaseResult& result, const std::string& format) {
+  CaseWork work;
+  work.result = &result;
+  work.file = rocq_identifier(result.verified.name);
+  work.found = certificates_of(result);
+  work.missing = work.found.missing;
+  if (format == "json") {
+    work.file += ".json";
+    work.other = json_certificates(result.verified.name, work.found.certificates);
+    return work;
+  }
+  if (format == "sympy") {
+    work.file += ".py";
+    work.other = sympy_script(result.verified, work.found.certificates);
+    return work;
+  }
+  work.file += ".v";
+  write_down(work);
+  for (const RocqTheorem& theorem : work.rocq.theorems)
+    if (theorem.theorems.empty()) work.missing.emplace_back(theorem.claim, theorem.why_not);
+  return work;
+}
+
+std::vector<CaseWork> works_of(const Report& report, const std::string& format) {
   std::vector<CaseWork> works;
   for (const FileReport& file : report.files)
-    for (const CaseResult& result : file.cases) {
-      if (result.claims.empty()) continue;
-      CaseWork work;
-      work.result = &result;
-      work.file = rocq_identifier(result.verified.name) + ".v";
-      work.found = certificates_of(result);
-      work.missing = work.found.missing;
-      write_down(work);
-      for (const RocqTheorem& theorem : work.rocq.theorems)
-        if (theorem.theorems.empty()) work.missing.emplace_back(theorem.claim, theorem.why_not);
-      works.push_back(std::move(work));
-    }
+    for (const CaseResult& result : file.cases)
+      if (!result.claims.empty()) works.push_back(work_of(result, format));
   return works;
 }
 
@@ -159,7 +177,7 @@ ExitCode run(const CertifyArguments& arguments) {
   const Report report = decided(files, options);
   print_error(mistakes(report));
   ExitCode code = exit_code(report);
-  std::vector<CaseWork> works = works_of(report);
+  std::vector<CaseWork> works = works_of(report, arguments.format);
   if (works.empty()) {
     print_error("patchproof: there is no claim to certify\n");
     return graver(code, ExitCode::nothing_ran);
@@ -218,6 +236,8 @@ void declare(CLI::App& command, CertifyArguments& a) {
   option("-o,--output", a.folder, "Folder for the certificates; it is made if need be", "DIR");
   option("--only", a.check.only, "Only claims that match, as for 'patchproof check'", "PATTERN")
       ->take_all();
+  option("--format", a.format, "rocq (usual), json for 'patchproof recheck', or sympy", "FORMAT")
+      ->check(CLI::IsMember(std::set<std::string>{"rocq", "json", "sympy"}));
   command.add_flag("--check", a.run_coqc, "Let coqc check the certificates");
   command.add_flag("--strict", a.check.strict, "Claims without a certificate are not good enough");
   option("--jobs", a.jobs, "How many coqc may run at a time; 0: as many as processors", "N")
@@ -246,6 +266,8 @@ void add_certify(CLI::App& program, ExitCode& result) {
       throw UsageError{"nothing to certify: name files or folders, or '-' for standard input"};
     if (arguments->folder.empty())
       throw UsageError{"-o is missing: name a folder for the certificates"};
+    if (arguments->run_coqc && arguments->format != "rocq")
+      throw UsageError{"--check is for --format rocq; see 'patchproof recheck' for json"};
     result = run(*arguments);
   });
 }

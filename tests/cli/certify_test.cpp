@@ -82,6 +82,17 @@ TEST_CASE("certify says what is missing on the command line") {
         "patchproof: there is no claim to certify\n");
 }
 
+TEST_CASE("certificates as JSON go through recheck, and as a script for SymPy") {
+  const TemporaryFolder folder;
+  folder.write("a.proof", proof);
+  CHECK(certify(folder, {"a.proof", "-o", "out", "--format", "json"}).code == 0);
+  const Ended rechecked = run_program(folder, {"recheck", "out/c_all.json"});
+  CHECK(rechecked.code == 0);
+  CHECK(certify(folder, {"a.proof", "-o", "out", "--format", "sympy"}).code == 0);
+  CHECK(folder.text("out/c_all.py").find("sympy") != std::string::npos);
+  CHECK(certify(folder, {"a.proof", "-o", "out", "--format", "json", "--check"}).code == 64);
+}
+
 TEST_CASE("a folder without record certifies nothing") {
   const TemporaryFolder folder;
   folder.write("a.proof", proof);
