@@ -183,9 +183,14 @@ std::string PythonText::quotient(const Scalar& scalar) {
   const ScalarPointer& below = scalar.children[1];
   const bool numbers = above->kind == Kind::integer && below->kind == Kind::integer;
   if (numbers) return "Rational(" + above->number.str() + ", " + below->number.str() + ")";
-  const bool safe = is_symbolic(*above) || is_symbolic(*below);
-  return expression(above, of_product) + "/" +
-         (safe ? expression(below, of_power) : "S(" + expression(below, 100) + ")");
+  const std::string left = expression(above, of_product);
+  const std::string right = expression(below, of_power);
+  // What is left out of sums and products may leave a whole number.
+  const auto safe = [&](const ScalarPointer& part, const std::string& text) {
+    return is_symbolic(*part) && text.find_first_not_of("-0123456789") != std::string::npos;
+  };
+  if (safe(above, left) || safe(below, right)) return left + "/" + right;
+  return left + "/S(" + expression(below, 100) + ")";
 }
 
 std::string PythonText::expression(const ScalarPointer& scalar, int level) {

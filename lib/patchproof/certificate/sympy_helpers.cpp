@@ -27,6 +27,8 @@ def tidy(x):
 @cache
 def unknown(name, arity, orders=None):
     """A function of which nothing is known; its partial derivatives are further ones."""
+    if orders and not any(orders):
+        return unknown(name, arity)
     orders = orders or (0,) * arity
 
     class Unknown(Function):
@@ -79,7 +81,17 @@ def integral(f, lower, upper):
     result = []
     for part in Add.make_args(expand(f(t))):
         outside, inside = part.as_independent(t, as_Add=False)
-        if inside.atoms(Function, Integral):
+        other, d = inside.as_independent(Function, as_Add=False)
+        base, orders = getattr(d.func, "origin", (None, ()))
+        slots = [i for i, x in enumerate(d.args) if x.has(t)] if base else []
+        if (len(slots) == 1 and d.args[slots[0]] == t and orders[slots[0]] > 0
+                and other.is_polynomial(t)):
+            # By parts, until nothing is differentiated in the variable.
+            less = unknown(base.__name__, len(orders),
+                           tuple(k - (i == slots[0]) for i, k in enumerate(orders)))(*d.args)
+            ends = at(other * less, {t: upper}) - at(other * less, {t: lower})
+            value = ends - integral(lambda x: at(diff(other, t) * less, {t: x}), lower, upper)
+        elif inside.atoms(Function, Integral):
             # The same name for the variable of the same integral.
             bound = Symbol("t_%d" % len(inside.atoms(Integral)))
             value = Integral(inside.xreplace({t: bound}), (bound, S(lower), S(upper)))
