@@ -21,6 +21,8 @@ struct CaseWork {
   std::vector<std::pair<std::string, std::string>> missing;
   bool accepted = false;
   std::vector<std::string> axioms;
+  /// coqc has not said which axioms the theorems rest on, or has named one that is not accepted.
+  bool unfounded = false;
   /// Claims that Rocq took for something else.
   std::vector<std::string> misunderstood;
 };

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <patchproof/certificate/certificates.hpp>
+#include <patchproof/certificate/rocq_library.hpp>
 #include <patchproof/latex/sha256.hpp>
 #include <patchproof/version.hpp>
 
@@ -26,10 +27,20 @@ std::vector<std::string> strings(const Json& object, const char* member) {
   return object.at(member).get<std::vector<std::string>>();
 }
 
+// The words of the statements mean what the support library says: another one makes them others.
+std::string library_digest() {
+  std::string all;
+  for (const auto& [name, text] : rocq_library_files())
+    all += std::string{name} + "\n" + std::string{text};
+  return sha256(all);
+}
+
 CheckedFolder from_json(const Json& record) {
   CheckedFolder result;
   if (record.at("format") != format_name || record.at("version") != 1)
     throw std::invalid_argument{"another format or version"};
+  if (record.at("library") != library_digest())
+    throw std::invalid_argument{"it was checked with another support library; certify anew"};
   result.coqc = record.at("coqc").get<std::string>();
   for (const Json& file : record.at("files"))
     result.files.push_back({file.at("case").get<std::string>(), file.at("file").get<std::string>(),
@@ -80,6 +91,7 @@ std::string write_checked(const std::string& folder, const CheckedFolder& checke
                     {"version", 1},
                     {"program", std::string{version}},
                     {"coqc", checked.coqc},
+                    {"library", library_digest()},
                     {"files", std::move(files)}};
   const std::string path = (std::filesystem::path{folder} / record_name).string();
   const std::string problem = replace_file(path, record.dump(2) + "\n");

@@ -80,8 +80,15 @@ std::string check(const CertifyArguments& arguments, std::vector<CaseWork>& work
       CaseWork& work = works[waiting[w]];
       const CoqRun& run = runs[w];
       if (run.accepted) {
+        const std::optional<std::vector<std::string>> axioms = axioms_in(run.output);
+        if (!axioms) {
+          work.unfounded = true;
+          for (const std::string& id : theorems_of(work))
+            work.missing.emplace_back(id, "coqc has not said which axioms it rests on");
+          continue;
+        }
         work.accepted = true;
-        work.axioms = axioms_in(run.output);
+        work.axioms = *axioms;
         compare(work, run.output);
         continue;
       }
@@ -197,10 +204,13 @@ ExitCode run(const CertifyArguments& arguments) {
       return graver(code, ExitCode::unreadable);
     }
     const CheckedFolder record = record_of(works, coqc);
-    for (CaseWork& work : works)
-      if (work.accepted && !std::all_of(work.axioms.begin(), work.axioms.end(), is_accepted_axiom))
-        for (const std::string& id : certified_in(work))
-          work.missing.emplace_back(id, "rests on an axiom that is not accepted");
+    for (CaseWork& work : works) {
+      if (!work.accepted || std::all_of(work.axioms.begin(), work.axioms.end(), is_accepted_axiom))
+        continue;
+      work.unfounded = true;
+      for (const std::string& id : certified_in(work))
+        work.missing.emplace_back(id, "rests on an axiom that is not accepted");
+    }
     if (const std::string problem = write_checked(arguments.folder, record); !problem.empty()) {
       print_error("patchproof: " + problem + "\n");
       return graver(code, ExitCode::unreadable);
@@ -220,7 +230,7 @@ ExitCode run(const CertifyArguments& arguments) {
                           counted(works.size(), "case") + " " + verb + by + "\n";
   if (!print(cases + sum)) return graver(code, ExitCode::unreadable);
   const bool refused = std::any_of(works.begin(), works.end(), [](const CaseWork& work) {
-    return !work.left_out.empty() || !work.misunderstood.empty();
+    return !work.left_out.empty() || !work.misunderstood.empty() || work.unfounded;
   });
   if (refused) code = graver(code, ExitCode::internal);
   if (arguments.check.strict && done < total) code = graver(code, ExitCode::unknown);

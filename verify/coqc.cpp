@@ -136,7 +136,11 @@ std::string library_made(const std::string& folder) {
   return "";
 }
 
-std::vector<std::string> axioms_in(const std::string& output) {
+std::optional<std::vector<std::string>> axioms_in(const std::string& output) {
+  // Without the word of coqc nothing is known: no axioms named is not the same as none used.
+  if (output.find("\nAxioms:") == std::string::npos && output.rfind("Axioms:", 0) != 0 &&
+      output.find("Closed under the global context") == std::string::npos)
+    return std::nullopt;
   std::vector<std::string> result;
   std::istringstream lines{output};
   bool listing = false;

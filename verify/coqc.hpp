@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,8 @@ std::vector<CoqRun> coqc_runs(const std::string& folder, const std::vector<std::
                               std::size_t jobs, std::chrono::seconds longest,
                               const std::function<void(std::size_t)>& progress);
 
-/// The axioms that `Print Assumptions` has named, in its order.
-std::vector<std::string> axioms_in(const std::string& output);
+/// The axioms that `Print Assumptions` has named, in its order; nothing when it has said nothing.
+std::optional<std::vector<std::string>> axioms_in(const std::string& output);
 
 /// Whether it is one of the axioms of the real numbers of the standard library, or of classical logic.
 bool is_accepted_axiom(const std::string& axiom);

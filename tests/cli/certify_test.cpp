@@ -117,6 +117,12 @@ TEST_CASE("coqc certifies claims of all kinds, and the evidence is lost with a c
   std::string changed = proof;
   changed.replace(changed.find("v*C2(u)"), 7, "(0 + v)*C2(u)");
   folder.write("a.proof", changed);
+  const std::string record = folder.text("out/certified.json");
+  std::string other = record;
+  other[other.find("\"library\": \"") + 12] ^= 1;
+  folder.write("out/certified.json", other);
+  CHECK(run_program(folder, {"check", "a.proof", "--certificates", "out"}).code == 4);
+  folder.write("out/certified.json", record);
   const Ended stale = run_program(folder, {"check", "a.proof", "-v", "--certificates", "out"});
   CHECK(stale.output.find("certified") == std::string::npos);
 }

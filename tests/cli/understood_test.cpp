@@ -31,9 +31,10 @@ class FirstInPath {
 };
 
 /// How certify ends when coqc accepts everything and prints this.
-Ended certified_by(const std::string& printed, const TemporaryFolder& folder) {
+Ended certified_by(const std::string& printed, const TemporaryFolder& folder,
+                   const std::string& axioms = "Closed under the global context\n") {
   const TemporaryFolder programs;
-  programs.write("printed", printed);
+  programs.write("printed", printed + axioms);
   std::string script =
       "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 'version 8.16.1'; exit; fi\n";
   script.append("cat '").append(programs.path("printed")).append("'\n");
@@ -88,6 +89,24 @@ TEST_CASE("Nothing is certified that was not printed", "[cli]") {
       ended.output.starts_with("small: 0 of 8 claims certified\n"
                                "    small.corner: not what was asked: Rocq has not printed "
                                "certified_corner\n"));
+}
+
+TEST_CASE("Nothing is certified when coqc has not said which axioms there are", "[cli]") {
+  const TemporaryFolder folder;
+  const Ended ended = certified_by(golden_certificate("small.printed"), folder, "");
+  CHECK(ended.code == 70);
+  CHECK(ended.output.starts_with(
+      "small: 0 of 8 claims certified\n"
+      "    small.corner: coqc has not said which axioms it rests on\n"));
+  CHECK(folder.text("out/certified.json").find("small.corner") == std::string::npos);
+}
+
+TEST_CASE("Nothing is certified that rests on another axiom", "[cli]") {
+  const TemporaryFolder folder;
+  const Ended ended = certified_by(golden_certificate("small.printed"), folder,
+                                   "Axioms:\nMine.all_is_true : forall P : Prop, P\n");
+  CHECK(ended.code == 70);
+  CHECK(folder.text("out/certified.json").find("small.corner") == std::string::npos);
 }
 
 }  // namespace patchproof

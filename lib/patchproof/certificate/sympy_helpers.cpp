@@ -133,6 +133,10 @@ def parts(x):
     return {x}
 
 
+# Differences with integrals that were not worked out: these may be zero all the same.
+unsettled = []
+
+
 def is_zero(x):
     """Whether x is zero as a rational function of its parts."""
     x = S(x)
@@ -153,6 +157,8 @@ def is_zero(x):
 
     if value(x) == 0:
         return True
+    if any(y.has(Integral) for y in names):
+        unsettled.append(x)
     # Roots are no names for anything: their squares are known.
     return any(y.is_Pow for y in names) and simplify(x) == 0
 
