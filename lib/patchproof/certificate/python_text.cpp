@@ -130,12 +130,13 @@ bool PythonText::depends_on_bound(const Symbols& symbols) const {
 std::vector<std::string> PythonText::enter(const std::vector<SymbolPointer>& formals,
                                            const ScalarPointer& body) {
   std::set<std::string> inside;
-  for (const auto& [ordinal, symbol] : symbols_.of(body)) {
-    const bool own = std::any_of(formals.begin(), formals.end(),
-                                 [&](const auto& formal) { return formal->ordinal == ordinal; });
+  for (const auto& entry : symbols_.of(body)) {
+    const bool own = std::any_of(formals.begin(), formals.end(), [&](const auto& formal) {
+      return formal->ordinal == entry.first;
+    });
     if (own) continue;
-    const auto bound = bound_.find(ordinal);
-    inside.insert(bound != bound_.end() ? bound->second : names_.stem(symbol));
+    const auto bound = bound_.find(entry.first);
+    inside.insert(bound != bound_.end() ? bound->second : names_.stem(entry.second));
   }
   std::vector<std::string> result;
   for (const SymbolPointer& formal : formals) {

@@ -15,13 +15,13 @@ namespace {
 Summand times(const Summand& a, const Summand& b) {
   Summand result{a.coefficient * b.coefficient, a.squares, a.facts};
   result.squares.insert(result.squares.end(), b.squares.begin(), b.squares.end());
-  for (const auto& [fact, exponent] : b.facts) {
+  for (const auto& power : b.facts) {
     const auto same = std::find_if(result.facts.begin(), result.facts.end(),
-                                   [&](const auto& f) { return f.first == fact; });
+                                   [&](const auto& f) { return f.first == power.first; });
     if (same == result.facts.end())
-      result.facts.emplace_back(fact, exponent);
+      result.facts.push_back(power);
     else
-      same->second += exponent;
+      same->second += power.second;
   }
   return result;
 }
