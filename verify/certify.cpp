@@ -68,6 +68,10 @@ std::string check(const CertifyArguments& arguments, std::vector<CaseWork>& work
   std::vector<std::size_t> waiting;
   for (std::size_t k = 0; k < works.size(); ++k)
     if (!theorems_of(works[k]).empty()) waiting.push_back(k);
+  // The longest first, lest one of them runs alone in the end.
+  std::stable_sort(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) {
+    return works[a].rocq.text.size() > works[b].rocq.text.size();
+  });
   Progress progress{waiting.size()};
   while (!waiting.empty()) {
     std::vector<std::string> files;

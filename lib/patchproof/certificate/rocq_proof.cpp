@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <patchproof/certificate/quotient_argument.hpp>
 #include <patchproof/certificate/rocq_log.hpp>
 #include <patchproof/certificate/scalar_nodes.hpp>
 #include <patchproof/certificate/sequents.hpp>
@@ -209,6 +210,8 @@ class ProofWriter {
       const Statement& s = sequent_.sequent().conclusions[component.conclusion];
       const auto [left, right] = sequent_.sides(s, component.component);
       if (const auto* equation = std::get_if<EquationProof>(&component.why)) {
+        if (has_quotient_argument(left) || has_quotient_argument(right))
+          throw NotScalar{"an unknown function at a quotient"};
         result.push_back("refine (equation Phi sigma smoothness @n hypotheses nonzero reasons\n    " +
                          instances_.cofactors(equation->cofactors) + "\n    " + twin_.of(left) + "\n    " +
                          twin_.of(right) + "\n    HypSmooth eq_refl HypEqual HypNonzero _). " +

@@ -9,7 +9,9 @@ using Kind = Scalar::Kind;
 }  // namespace
 
 std::string RocqTwin::pair(const char* name, const Scalar& scalar) {
-  return std::string{"("} + name + " " + of(scalar.children[0]) + " " + of(scalar.children[1]) + ")";
+  // The left side gets its numbers first, whatever the compiler.
+  const std::string left = of(scalar.children[0]);
+  return std::string{"("} + name + " " + left + " " + of(scalar.children[1]) + ")";
 }
 
 std::string RocqTwin::variable(const Coordinate& coordinate) {
@@ -38,13 +40,15 @@ std::string RocqTwin::of(const ScalarPointer& pointer) {
              " " + of(scalar.children[0]) + ")";
     case Kind::root: return "(Sqrt " + of(scalar.children[0]) + ")";
     case Kind::application: {
-      std::string result = "(App " + of(scalar.function) + " [";
+      std::string result = "(App ";
+      result += of(scalar.function) + " [";
       for (std::size_t k = 0; k < scalar.children.size(); ++k)
         result += (k == 0 ? "" : "; ") + of(scalar.children[k]);
       return result + "])";
     }
     case Kind::integral: {
-      const std::string ends = of(scalar.children[0]) + " " + of(scalar.children[1]);
+      const std::string lower = of(scalar.children[0]);
+      const std::string ends = lower + " " + of(scalar.children[1]);
       bound_.emplace_back(scalar.formal->ordinal, 0);
       const std::string body = of(scalar.children[2]);
       bound_.pop_back();
