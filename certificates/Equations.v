@@ -71,9 +71,12 @@ Definition fact (differences nonzeros : list ex) (r : reason) : ex * ex :=
   (data m, Plus (fold_right (fun i p => Times (nth i nonzeros (Num 1)) p) (Num 1) l)
                 (weighted_sum (map data q) differences)).
 Definition knowledge (reasons : list reason) : list (ex * ex) :=
-  let differences := map plain_difference hypotheses in
   let nonzeros := map plain_nonzero nonzero_terms in
-  map (fun e => (Num 1, e)) nonzeros ++ map (fact differences nonzeros) reasons.
+  map (fun e => (Num 1, e)) nonzeros ++
+  match reasons with
+  | [] => []
+  | _ => map (fact (map plain_difference hypotheses) nonzeros) reasons
+  end.
 
 (* The value of a term all of whose conditions are known. *)
 Definition known_value (K : list (ex * ex)) (t : term) : option ex :=
@@ -81,38 +84,48 @@ Definition known_value (K : list (ex * ex)) (t : term) : option ex :=
   | Some (e, c) => if forallb (fun d => never_zero K (normal d)) c then Some e else None
   | None => None
   end.
-(* The sum of the cofactors times the hypotheses; what is not needed is not looked at. *)
-Fixpoint combination (K : list (ex * ex)) (cofactors : list term) (l : list (term * term))
-  : option ex :=
-  match cofactors, l with
-  | q :: cofactors', (a, b) :: l' =>
-      match combination K cofactors' l', data q with
-      | Some s, Num (0 # _) => Some s
-      | Some s, e =>
-          match known_value K a, known_value K b with
-          | Some x, Some y => Some (Plus (Times e (Minus x y)) s)
-          | _, _ => None
-          end
-      | None, _ => None
+(* The difference of the sides of a hypothesis. *)
+Definition known_difference (K : list (ex * ex)) (h : term * term) : option ex :=
+  match known_value K (fst h), known_value K (snd h) with
+  | Some x, Some y => Some (normal (Minus x y))
+  | _, _ => None
+  end.
+(* The sum of the cofactors times the differences; what is not needed may be unknown. *)
+Fixpoint combination (cofactors : list term) (differences : list (option ex)) : option ex :=
+  match cofactors, differences with
+  | q :: cofactors', d :: differences' =>
+      match combination cofactors' differences', data q, d with
+      | None, _, _ => None
+      | Some s, Num (0 # _), _ => Some s
+      | Some s, e, Some x => Some (Plus (Times e x) s)
+      | Some _, _, None => None
       end
   | _, _ => Some (Num 0)
   end.
-Definition check_equation (reasons : list reason) (cofactors : list term) (l r : term) : bool :=
-  let K := knowledge reasons in
-  match known_value K l, known_value K r, combination K cofactors hypotheses with
-  | Some x, Some y, Some s => vanishes K (normal (Minus (Minus x y) s))
-  | _, _, _ => false
+(* Goals: cofactors, and the two sides. *)
+Definition remainder (K : list (ex * ex)) (differences : list (option ex))
+  (goal : list term * (term * term)) : option ex :=
+  let '(cofactors, (l, r)) := goal in
+  match known_value K l, known_value K r, combination cofactors differences with
+  | Some x, Some y, Some s => Some (normal (Minus (Minus x y) s))
+  | _, _, _ => None
   end.
+Definition check_equations (reasons : list reason) (goals : list (list term * (term * term)))
+  : bool :=
+  let K := knowledge reasons in
+  let differences := map (known_difference K) hypotheses in
+  forallb (fun g => match remainder K differences g with Some e => vanishes K e | None => false end)
+    goals.
+Definition check_equation (reasons : list reason) (cofactors : list term) (l r : term) : bool :=
+  check_equations reasons [(cofactors, (l, r))].
 (* For a certificate that fails: what is left of l - r, and whether each of its divisors is known
   not to be 0. *)
 Definition residue (reasons : list reason) (cofactors : list term) (l r : term)
   : option (ex * list bool) :=
   let K := knowledge reasons in
-  match known_value K l, known_value K r, combination K cofactors hypotheses with
-  | Some x, Some y, Some s =>
-      let e := normal (Minus (Minus x y) s) in
-      let T := table_for K e in Some (e, map (shown_nonzero T K) (divisors T e))
-  | _, _, _ => None
+  match remainder K (map (known_difference K) hypotheses) (cofactors, (l, r)) with
+  | Some e => let T := table_for K e in Some (e, map (shown_nonzero T K) (divisors T e))
+  | None => None
   end.
 Definition check_nonzero (reasons : list reason) (t : term) : bool :=
   let K := knowledge reasons in match known_value K t with Some e => never_zero K e | None => false
@@ -167,10 +180,10 @@ Proof.
 Qed.
 Lemma knowledge_holds reasons : Forall (fun f => eval (snd f) <> 0) (knowledge reasons).
 Proof.
-  unfold knowledge. apply Forall_app. pose proof plain_nonzero_values as z.
-    split; rewrite Forall_map.
-  - revert z. now apply Forall_impl.
-  - rewrite Forall_forall. intros [[m l] q] _. cbn [fact snd Expressions.eval].
+  unfold knowledge. apply Forall_app. pose proof plain_nonzero_values as z. split.
+  - rewrite Forall_map. revert z. now apply Forall_impl.
+  - destruct reasons as [|r0 reasons]; [constructor|]. rewrite Forall_map.
+    rewrite Forall_forall. intros [[m l] q] _. cbn [fact snd Expressions.eval].
     rewrite weighted_sum_vanishes, Rplus_0_r by apply plain_differences_vanish.
     assert (one : eval (Num 1) <> 0) by (cbn [Expressions.eval]; rewrite one_value;
       apply R1_neq_R0).
@@ -188,35 +201,45 @@ Proof.
   rewrite Forall_forall. rewrite forallb_forall in F. intros d i. rewrite <- normal_value.
   eapply never_zero_correct; [apply knowledge_holds|]. now apply F.
 Qed.
-Lemma combination_vanishes reasons q : forall s l, all_equal Phi sigma l ->
-  combination (knowledge reasons) q l = Some s -> eval s = 0.
+Lemma known_differences_vanish reasons : forall l, all_equal Phi sigma l ->
+  Forall (fun d => forall e, d = Some e -> eval e = 0)
+    (map (known_difference (knowledge reasons)) l).
 Proof.
-  induction q as [|a q IH]; intros s [|[x y] l] h E; simpl in E; try (injection E as <-;
+  induction l as [|[a b] l IH]; intros h; [constructor|]. destruct h as [h h'].
+  cbn [map]. constructor; [|now apply IH]. unfold known_difference. cbn [fst snd].
+  destruct (known_value _ a) as [x|] eqn:X; try discriminate.
+  destruct (known_value _ b) as [y|] eqn:Y; try discriminate. intros e [= <-].
+  rewrite normal_value. cbn [Expressions.eval].
+  rewrite <- (known_value_correct _ _ _ X), <- (known_value_correct _ _ _ Y), h. ring.
+Qed.
+Lemma combination_vanishes q : forall d s,
+  Forall (fun d => forall e, d = Some e -> eval e = 0) d -> combination q d = Some s -> eval s = 0.
+Proof.
+  induction q as [|a q IH]; intros [|x d] s h E; simpl in E; try (injection E as <-;
     exact zero_value).
-  destruct (combination (knowledge reasons) q l) as [s'|] eqn:C; try discriminate.
-  destruct h as [h h']. specialize (IH _ _ h' C).
-  assert (A : forall e, match known_value (knowledge reasons) x,
-    known_value (knowledge reasons) y with
-          | Some x, Some y => Some (Plus (Times e (Minus x y)) s')
-          | _, _ => None
-          end = Some s -> eval s = 0).
-  { intros e. destruct (known_value _ x) as [u|] eqn:U; try discriminate.
-    destruct (known_value _ y) as [v|] eqn:V; try discriminate. intros [= <-].
-      cbn [Expressions.eval].
-    rewrite IH, <- (known_value_correct _ _ _ U), <- (known_value_correct _ _ _ V), h. ring. }
+  inversion h; subst. destruct (combination q d) as [s'|] eqn:C; try discriminate.
+  specialize (IH _ _ H2 C).
+  assert (A : forall e, match x with Some x => Some (Plus (Times e x) s') | None => None end
+    = Some s -> eval s = 0).
+  { intros e. destruct x as [x|]; try discriminate. intros [= <-]. cbn [Expressions.eval].
+    rewrite IH, (H1 x) by trivial. ring. }
   destruct (data a) as [[[| |] ?]| | | | | | | | |]; try (now apply A in E). now injection E as <-.
 Qed.
 
-Theorem equation_correct reasons cofactors l r :
-  check_equation reasons cofactors l r = true -> denote l = denote r.
+Theorem equations_correct reasons goals :
+  check_equations reasons goals = true -> all_equal Phi sigma (map snd goals).
 Proof.
-  unfold check_equation. set (K := knowledge reasons).
+  unfold check_equations. set (K := knowledge reasons). set (D := map _ hypotheses).
+  assert (V : Forall (fun d => forall e, d = Some e -> eval e = 0) D)
+    by now apply known_differences_vanish.
+  induction goals as [|[q [l r]] goals IH]; [easy|]. cbn [forallb map snd all_equal].
+  rewrite andb_true_iff. intros [h h']. split; [|now apply IH]. revert h. unfold remainder.
   destruct (known_value K l) as [x|] eqn:X; try discriminate.
   destruct (known_value K r) as [y|] eqn:Y; try discriminate.
-  destruct (combination K cofactors hypotheses) as [s|] eqn:E; try discriminate. intro h.
+  destruct (combination q D) as [s|] eqn:E; try discriminate. intro h.
   apply (vanishes_correct Phi (assignment sigma) K (knowledge_holds reasons)) in h.
     rewrite normal_value in h.
-  cbn [Expressions.eval] in h. rewrite (combination_vanishes _ _ _ _ equations E) in h.
+  cbn [Expressions.eval] in h. rewrite (combination_vanishes _ _ _ V E) in h.
   rewrite (known_value_correct _ _ _ X), (known_value_correct _ _ _ Y). lra.
 Qed.
 Theorem nonzero_correct reasons t : check_nonzero reasons t = true -> denote t <> 0.
@@ -227,14 +250,24 @@ Proof.
 Qed.
 End Check.
 
-(* l = r for all values of the unknown functions and of the variables for which the hypotheses
-  hold. *)
+(* The sides of every goal are equal for all values of the unknown functions and of the variables
+  for which the hypotheses hold. *)
+Theorem equations Phi sigma smoothness n hypotheses nonzero reasons goals :
+  smooth_all smoothness Phi -> length sigma = n ->
+  all_equal Phi sigma hypotheses -> all_nonzero Phi sigma nonzero ->
+  check_equations smoothness n hypotheses nonzero reasons goals = true ->
+  all_equal Phi sigma (map snd goals).
+Proof. intros. eapply equations_correct; eassumption. Qed.
+Arguments equations Phi sigma smoothness%nat n%nat.
+
+(* The same for one goal. *)
 Theorem equation Phi sigma smoothness n hypotheses nonzero reasons cofactors l r :
   smooth_all smoothness Phi -> length sigma = n ->
   all_equal Phi sigma hypotheses -> all_nonzero Phi sigma nonzero ->
   check_equation smoothness n hypotheses nonzero reasons cofactors l r = true ->
   denote Phi sigma l = denote Phi sigma r.
-Proof. intros. eapply equation_correct; eassumption. Qed.
+Proof. intros. now apply (equations Phi sigma smoothness n hypotheses nonzero reasons
+  [(cofactors, (l, r))]). Qed.
 Arguments equation Phi sigma smoothness%nat n%nat.
 
 (* t is different from 0. *)

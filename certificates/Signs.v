@@ -33,8 +33,8 @@ Inductive log : Type :=
 Section Check.
 Variable smoothness : list (nat * nat).
 Variable n : nat.
-Variable hypotheses : list (term * term).
 Variable K : list (ex * ex).
+Variable differences : list (option ex).       (* of the hypotheses *)
 Notation known := (list (ex * bool)).
 
 Definition times_fact (facts : known) (f : nat * nat) (e : ex) : ex :=
@@ -54,7 +54,7 @@ Definition positive_summand (facts : known) (s : summand) : bool :=
 Definition proves (facts : known) (p : proof) (e : ex) (strict : bool) : bool :=
   forallb nonnegative_summand (fst p)
   && (negb strict || existsb (positive_summand facts) (fst p))
-  && match combination smoothness n K (snd p) hypotheses with
+  && match combination smoothness n (snd p) differences with
      | Some s => vanishes K (normal (Minus e (Plus (fold_right (fun s e => Plus (summand_value
        facts s) e) (Num 0)
          (fst p)) s)))
@@ -75,7 +75,7 @@ Fixpoint check_log (facts : known) (goal : ex) (strict : bool) (l : log) : bool 
 Variable Phi : list (list R -> R).
 Variable sigma : list R.
 Hypothesis known_facts : Forall (fun f => eval Phi (assignment sigma) (snd f) <> 0) K.
-Hypothesis combination_zero : forall q s, combination smoothness n K q hypotheses = Some s ->
+Hypothesis combination_zero : forall q s, combination smoothness n q differences = Some s ->
   eval Phi (assignment sigma) s = 0.
 Notation eval := (eval Phi (assignment sigma)).
 
@@ -128,7 +128,7 @@ Proof.
   intros h hp. unfold proves in hp. apply andb_prop in hp. destruct hp as [hp h3].
     apply andb_prop in hp.
   destruct hp as [h1 h2].
-  destruct (combination smoothness n K (snd p) hypotheses) as [s|] eqn:C; try discriminate.
+  destruct (combination smoothness n (snd p) differences) as [s|] eqn:C; try discriminate.
   apply (vanishes_correct Phi (assignment sigma) K known_facts) in h3. rewrite normal_value in h3.
   cbn [Expressions.eval] in h3. rewrite (combination_zero _ _ C) in h3.
   set (total := eval (fold_right (fun s e => Plus (summand_value facts s) e) (Num 0) (fst p)))
@@ -176,7 +176,8 @@ Fixpoint fact_values (smoothness : list (nat * nat)) (n : nat) (K : list (ex * e
 Definition check_sign smoothness n hypotheses nonzero reasons facts goal strict l : bool :=
   let K := knowledge smoothness n hypotheses nonzero reasons in
   match fact_values smoothness n K facts, known_value smoothness n K goal with
-  | Some f, Some g => check_log smoothness n hypotheses K f g strict l
+  | Some f, Some g =>
+      check_log smoothness n K (map (known_difference smoothness n K) hypotheses) f g strict l
   | _, _ => false
   end.
 
@@ -195,7 +196,7 @@ Proof.
   change (has_sign (denote Phi sigma goal) strict). rewrite (V _ _ G).
   eapply check_log_correct; [| |clear c|exact c].
   - now apply knowledge_holds.
-  - intros q s. now apply combination_vanishes.
+  - intros q s. eapply combination_vanishes; try eassumption. now apply known_differences_vanish.
   - revert f F. induction facts as [|[t s] facts IH]; intros f F; simpl in F.
     + injection F as <-. constructor.
     + destruct (known_value smoothness n K t) as [e|] eqn:E; try discriminate.

@@ -32,9 +32,21 @@ std::string claim_at(const CaseWork& work, std::size_t line) {
   return current;
 }
 
+namespace {
+
+std::vector<Misunderstanding> misunderstandings(const CaseWork& work, const std::string& output) {
+  return misunderstood(work.result->verified, without(work.found.certificates, work.left_out),
+                       output);
+}
+
+}  // namespace
+
+bool is_understood(const CaseWork& work, const std::string& output) {
+  return misunderstandings(work, output).empty();
+}
+
 void compare(CaseWork& work, const std::string& output) {
-  for (const Misunderstanding& one :
-       misunderstood(work.result->verified, without(work.found.certificates, work.left_out), output)) {
+  for (const Misunderstanding& one : misunderstandings(work, output)) {
     work.misunderstood.push_back(one.claim);
     work.missing.emplace_back(one.claim, "not what was asked: " + one.what);
   }

@@ -36,6 +36,9 @@ std::vector<std::string> theorems_of(const CaseWork& work);
 /// The claim whose theorem begins last before the line; "" for none.
 std::string claim_at(const CaseWork& work, std::size_t line);
 
+/// Whether what coqc says it has checked is what was asked.
+bool is_understood(const CaseWork& work, const std::string& output);
+
 /// Compares what coqc says it has checked with what was asked.
 void compare(CaseWork& work, const std::string& output);
 

@@ -4,14 +4,15 @@
 #include <verify/check_options.hpp>
 #include <verify/commands.hpp>
 #include <verify/coqc.hpp>
+#include <verify/coqc_check.hpp>
 #include <verify/files.hpp>
 #include <verify/output.hpp>
 #include <verify/paths.hpp>
-#include <verify/progress.hpp>
 #include <verify/selection.hpp>
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <map>
 #include <memory>
 #include <set>
@@ -57,60 +58,6 @@ bool written(const CertifyArguments& arguments, const CaseWork& work,
 std::size_t number_of_jobs(const CertifyArguments& arguments) {
   const auto asked = static_cast<std::size_t>(std::stoul(arguments.jobs));
   return asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
-}
-
-/// Lets coqc check all files; a theorem it does not accept is left out, and the rest tried again.
-/// @returns what makes the whole impossible; "" when all is well.
-std::string check(const CertifyArguments& arguments, std::vector<CaseWork>& works,
-                  const std::vector<std::string>& inputs) {
-  if (const std::string problem = library_made(arguments.folder); !problem.empty()) return problem;
-  const std::chrono::seconds longest{std::stoll(arguments.coqc_seconds)};
-  std::vector<std::size_t> waiting;
-  for (std::size_t k = 0; k < works.size(); ++k)
-    if (!theorems_of(works[k]).empty()) waiting.push_back(k);
-  // The longest first, lest one of them runs alone in the end.
-  std::stable_sort(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) {
-    return works[a].rocq.text.size() > works[b].rocq.text.size();
-  });
-  Progress progress{waiting.size()};
-  while (!waiting.empty()) {
-    std::vector<std::string> files;
-    for (const std::size_t k : waiting) files.push_back(works[k].file);
-    const std::vector<CoqRun> runs =
-        coqc_runs(arguments.folder, files, number_of_jobs(arguments), longest,
-                  [&](std::size_t file) { progress.next(files[file]); });
-    std::vector<std::size_t> again;
-    for (std::size_t w = 0; w < waiting.size(); ++w) {
-      CaseWork& work = works[waiting[w]];
-      const CoqRun& run = runs[w];
-      if (run.accepted) {
-        const std::optional<std::vector<std::string>> axioms = axioms_in(run.output);
-        if (!axioms) {
-          work.unfounded = true;
-          for (const std::string& id : theorems_of(work))
-            work.missing.emplace_back(id, "coqc has not said which axioms it rests on");
-          continue;
-        }
-        work.accepted = true;
-        work.axioms = *axioms;
-        compare(work, run.output);
-        continue;
-      }
-      const std::string claim = claim_at(work, run.line);
-      if (claim.empty()) {
-        for (const std::string& id : theorems_of(work))
-          work.missing.emplace_back(id, "not checked by coqc: " + run.problem);
-        continue;
-      }
-      work.left_out.push_back(claim);
-      work.missing.emplace_back(claim, "not accepted by coqc: " + run.problem);
-      write_down(work);
-      if (!written(arguments, work, inputs)) return "a file could not be written";
-      if (!theorems_of(work).empty()) again.push_back(waiting[w]);
-    }
-    waiting = std::move(again);
-  }
-  return "";
 }
 
 CheckedFolder record_of(const std::vector<CaseWork>& works, const std::string& coqc) {
@@ -185,6 +132,10 @@ ExitCode run(const CertifyArguments& arguments) {
   const FoundPaths paths = found_paths(arguments.check.paths);
   const std::vector<CaseFile> files = read_files(inputs(paths), options);
   if (!prepared(arguments.folder)) return ExitCode::unreadable;
+  const std::string coqc = arguments.run_coqc ? coqc_version() : "";
+  std::future<std::string> library;
+  // coqc works on the library while the claims are decided.
+  if (!coqc.empty()) library = std::async(std::launch::async, library_made, arguments.folder);
   const Report report = decided(files, options);
   print_error(mistakes(report));
   ExitCode code = exit_code(report);
@@ -198,12 +149,18 @@ ExitCode run(const CertifyArguments& arguments) {
 
   std::string verb = "with a certificate, not checked";
   std::string by;
-  const std::string coqc = arguments.run_coqc ? coqc_version() : "";
   if (arguments.run_coqc && coqc.empty())
     print_error("patchproof: there is no 'coqc'; certificates were written, not checked\n"
                 "  = help: on Debian: apt-get install coq libcoq-coquelicot\n");
   if (!coqc.empty()) {
-    if (const std::string problem = check(arguments, works, paths.files); !problem.empty()) {
+    std::string problem = library.get();
+    if (problem.empty())
+      problem = check_with_coqc(
+          {arguments.folder, number_of_jobs(arguments),
+           std::chrono::seconds{std::stoll(arguments.coqc_seconds)},
+           [&](const CaseWork& work) { return written(arguments, work, paths.files); }},
+          works);
+    if (!problem.empty()) {
       print_error("patchproof: " + problem + "\n");
       return graver(code, ExitCode::unreadable);
     }
@@ -215,7 +172,8 @@ ExitCode run(const CertifyArguments& arguments) {
       for (const std::string& id : certified_in(work))
         work.missing.emplace_back(id, "rests on an axiom that is not accepted");
     }
-    if (const std::string problem = write_checked(arguments.folder, record); !problem.empty()) {
+    problem = write_checked(arguments.folder, record);
+    if (!problem.empty()) {
       print_error("patchproof: " + problem + "\n");
       return graver(code, ExitCode::unreadable);
     }

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds pause{50};
+constexpr std::chrono::milliseconds pause{10};
 constexpr const char* library_folder = "PatchProof";
 
 std::vector<std::string> command(const std::string& file) {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include <tests/certificate/small_case.hpp>
-#include <tests/cli/program.hpp>
+#include <tests/cli/fake_coqc.hpp>
 
 namespace patchproof {
 namespace {
@@ -14,33 +14,10 @@ bool is_installed(const std::string& program) {
   return std::system(command.c_str()) == 0;
 }
 
-/// Puts a folder in front of all others in which programs are looked for.
-class FirstInPath {
- public:
-  explicit FirstInPath(const std::string& folder) : before_{std::getenv("PATH")} {
-    std::string folders = folder;
-    folders.append(":").append(before_);
-    ::setenv("PATH", folders.c_str(), 1);
-  }
-  ~FirstInPath() { ::setenv("PATH", before_.c_str(), 1); }
-  FirstInPath(const FirstInPath&) = delete;
-  FirstInPath& operator=(const FirstInPath&) = delete;
-
- private:
-  std::string before_;
-};
-
 /// How certify ends when coqc accepts everything and prints this.
 Ended certified_by(const std::string& printed, const TemporaryFolder& folder,
                    const std::string& axioms = "Closed under the global context\n") {
-  const TemporaryFolder programs;
-  programs.write("printed", printed + axioms);
-  std::string script =
-      "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 'version 8.16.1'; exit; fi\n";
-  script.append("cat '").append(programs.path("printed")).append("'\n");
-  programs.write("coqc", script);
-  std::filesystem::permissions(programs.path("coqc"), std::filesystem::perms::owner_all);
-  const FirstInPath path{programs.path("")};
+  const FakeCoqc coqc{printed + axioms};
   folder.write("small.proof", golden_certificate("small.proof"));
   return run_program(folder, {"certify", "small.proof", "-o", "out", "--check"});
 }

@@ -44,12 +44,14 @@ class FileWriter {
                              (source.section.empty() ? "" : ", " + source.section) +
                              (source.page.empty() ? "" : ", p. " + source.page));
     result.text += comment("written by patchproof " + std::string{version});
-    result.text += "Require Import PatchProof.Certificates.\n\n";
     for (const RocqDefinition& definition : text_.definitions()) {
       result.definitions.push_back(definition.name);
-      result.text += definition.text + "\n\n";
+      result.body += definition.text + "\n\n";
     }
-    result.text += theorems + understood(result) + assumptions(result.theorems);
+    result.body += theorems + understood(result) + together(result.theorems);
+    result.text += rocq_head + result.body;
+    if (!theorems.empty())
+      result.text += std::string{"Print Assumptions "} + rocq_theorems_together + ".\n";
     return result;
   }
 
@@ -71,13 +73,13 @@ class FileWriter {
            "\n";
   }
 
-  // Of all theorems at once: each time it takes as long as many proofs.
-  static std::string assumptions(const std::vector<RocqTheorem>& theorems) {
+  // Their assumptions are asked for at once: each time it takes as long as many proofs.
+  static std::string together(const std::vector<RocqTheorem>& theorems) {
     std::string all;
     for (const RocqTheorem& theorem : theorems)
       for (const std::string& name : theorem.theorems) all += (all.empty() ? "" : ",\n  ") + name;
     if (all.empty()) return "";
-    return "Definition certified_together :=\n  (" + all + ").\nPrint Assumptions certified_together.\n";
+    return std::string{"Definition "} + rocq_theorems_together + " :=\n  (" + all + ").\n";
   }
 
   static std::vector<std::pair<std::string, Term>> named(const Case& given) {

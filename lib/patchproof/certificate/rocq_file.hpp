@@ -21,8 +21,15 @@ struct RocqTheorem {
   std::string why_not;
 };
 
+/// What a file begins with, below the remarks.
+inline constexpr const char* rocq_head = "Require Import PatchProof.Certificates.\n\n";
+/// The name of the tuple of all theorems of a file.
+inline constexpr const char* rocq_theorems_together = "certified_together";
+
 struct RocqFile {
   std::string text;
+  /// What stands in it between the head and the question for the assumptions.
+  std::string body;
   /// Names of what is defined, but for the statements; each stands after those it needs.
   std::vector<std::string> definitions;
   /// One for each certificate, in the same order.

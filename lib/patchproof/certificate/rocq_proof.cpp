@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include <patchproof/certificate/quotient_argument.hpp>
 #include <patchproof/certificate/rocq_log.hpp>
 #include <patchproof/certificate/scalar_nodes.hpp>
+#include <patchproof/certificate/scalar_obstacle.hpp>
 #include <patchproof/certificate/sequents.hpp>
 
 namespace patchproof {
@@ -48,13 +48,13 @@ class ProofWriter {
       for (std::size_t k = 0; k < components.size(); ++k)
         body += std::string{k + 1 < components.size() ? "  split.\n  { " : "  { "} + components[k] +
                 (k + 1 < components.size() ? " }\n" : " }");
-    return head() + signs_ + body;
+    return head() + signs_ + equations_ + body;
   }
 
  private:
   // Everything the theorems ask for, once and for all.
   std::string head() const {
-    std::string result = introductions();
+    std::string result = sequent_.introductions();
     std::vector<std::string> functions;
     for (const Coordinate& function : twin_.functions()) {
       std::string call = names_.text(function);
@@ -74,7 +74,7 @@ class ProofWriter {
       smoothness.push_back(smooth ? "Smooth " + std::to_string(function.symbol->type.parameters.size()) + " " +
                                         std::to_string(sequent_.smoothness(function.symbol))
                                   : "Smooth 0 0");
-      smooth_proofs.push_back(smooth ? smoothness_name(function) : "I");
+      smooth_proofs.push_back(smooth ? sequent_.smoothness_name(function) : "I");
     }
     result += "  pose (smoothness := " + rocq_list(smoothness) + " : list (nat * nat)).\n";
     result += "  assert (HypSmooth : smooth_all smoothness Phi) by exact " +
@@ -92,31 +92,6 @@ class ProofWriter {
     result += "  assert (HypFacts : all_signs Phi sigma facts) by exact " +
               conjunction(fact_proofs_) + ".\n";
     return result;
-  }
-
-  std::string introductions() const {
-    std::vector<std::string> names;
-    const RocqStatement& statement = sequent_.statement();
-    std::set<std::string> seen;
-    for (const SymbolPointer& symbol : sequent_.symbols())
-      if (seen.insert(names_.variable(symbol).name).second)
-        names.push_back(names_.variable(symbol).name);
-    for (const auto& premise : statement.smoothness) names.push_back(premise.name);
-    for (const auto& premise : statement.hypotheses) names.push_back(premise.name);
-    for (const std::string& parameter : statement.parameters) names.push_back(parameter);
-    for (const auto& premise : statement.restrictions) names.push_back(premise.name);
-    return names.empty() ? "" : "  intros " + joined(names, " ") + ".\n";
-  }
-
-  std::string smoothness_name(const Coordinate& function) const {
-    std::size_t number = 1;
-    for (const SymbolPointer& symbol : sequent_.symbols()) {
-      if (!sequent_.is_differentiated(symbol)) continue;
-      if (symbol->ordinal == function.symbol->ordinal)
-        return "Smooth" + std::to_string(number + function.index);
-      number += symbol->type.component_count();
-    }
-    throw NotScalar{"a function that is not assumed to be smooth"};
   }
 
   // Facts of parameters that the conclusions do not have are no facts here: a true one in their place.
@@ -206,21 +181,51 @@ class ProofWriter {
 
   std::vector<std::string> component_proofs() {
     std::vector<std::string> result;
+    std::vector<std::string> goals;
+    const bool together = are_checked_together();
     for (const ComponentProof& component : proof_.components) {
       const Statement& s = sequent_.sequent().conclusions[component.conclusion];
       const auto [left, right] = sequent_.sides(s, component.component);
-      if (const auto* equation = std::get_if<EquationProof>(&component.why)) {
-        if (has_quotient_argument(left) || has_quotient_argument(right))
-          throw NotScalar{"an unknown function at a quotient"};
-        result.push_back("refine (equation Phi sigma smoothness @n hypotheses nonzero reasons\n    " +
-                         instances_.cofactors(equation->cofactors) + "\n    " + twin_.of(left) + "\n    " +
-                         twin_.of(right) + "\n    HypSmooth eq_refl HypEqual HypNonzero _). " +
-                         computed + ".");
+      const auto* equation = std::get_if<EquationProof>(&component.why);
+      if (equation == nullptr) {
+        result.push_back(order_script(s, component, left, right));
         continue;
       }
-      result.push_back(order_script(s, component, left, right));
+      for (const ScalarPointer& side : {left, right})
+        if (const std::string obstacle = obstacle_in_equation(side); !obstacle.empty())
+          throw NotScalar{obstacle};
+      const std::string cofactors = instances_.cofactors(equation->cofactors);
+      const std::string left_twin = twin_.of(left);
+      const std::string right_twin = twin_.of(right);
+      if (!together) {
+        result.push_back("refine (equation Phi sigma smoothness @n hypotheses nonzero reasons\n    " +
+                         cofactors + "\n    " + left_twin + "\n    " + right_twin +
+                         "\n    HypSmooth eq_refl HypEqual HypNonzero _). " + computed + ".");
+        continue;
+      }
+      std::string proof = "HypGoals";
+      for (std::size_t k = 0; k < goals.size(); ++k) proof = "(proj2 " + proof + ")";
+      result.push_back("exact (proj1 " + proof + ").");
+      goals.push_back("(" + cofactors + ", (" + left_twin + ",\n     " + right_twin + "))");
     }
+    if (!goals.empty())
+      equations_ = "  pose proof (equations Phi sigma smoothness @n hypotheses nonzero reasons\n    [" +
+                   joined(goals, ";\n    ") + "]\n    HypSmooth eq_refl HypEqual HypNonzero ltac:(" +
+                   computed + ")) as HypGoals.\n";
     return result;
+  }
+
+  // Then what the hypotheses are worth is worked out once for all equations; but coqc takes longer to
+  // see that the statement follows.
+  bool are_checked_together() const {
+    std::size_t equations = 0;
+    std::size_t cofactors = 0;
+    for (const ComponentProof& component : proof_.components)
+      if (const auto* equation = std::get_if<EquationProof>(&component.why)) {
+        ++equations;
+        cofactors += equation->cofactors.size();
+      }
+    return equations > 1 && cofactors >= 8 * equations;
   }
 
   std::string order_script(const Statement& s, const ComponentProof& component,
@@ -263,6 +268,7 @@ class ProofWriter {
   std::vector<std::string> nonzero_;
   std::vector<std::string> nonzero_proofs_;
   std::string signs_;
+  std::string equations_;
 
  public:
   std::size_t variable_count() const { return twin_.variables().size(); }

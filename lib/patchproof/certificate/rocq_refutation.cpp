@@ -1,4 +1,5 @@
 #include <patchproof/certificate/rocq_proof.hpp>
+#include <patchproof/certificate/scalar_obstacle.hpp>
 #include <patchproof/certificate/sequents.hpp>
 #include <patchproof/term/replacement.hpp>
 
@@ -123,6 +124,7 @@ class RefutationWriter {
 
   // Script that compares two numbers.
   static std::string comparison(const char* theorem, const ScalarPointer& a, const ScalarPointer& b) {
+    if (has_root(a) || has_root(b)) throw NotScalar{"a square root in a counterexample"};
     RocqTwin twin;
     const std::string left = twin.of(a);
     const std::string right = twin.of(b);

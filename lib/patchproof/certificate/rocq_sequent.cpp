@@ -170,6 +170,30 @@ std::string RocqSequent::range_name(const SymbolPointer& parameter) const {
   return "";
 }
 
+std::string RocqSequent::smoothness_name(const Coordinate& function) const {
+  std::size_t number = 1;
+  for (const SymbolPointer& symbol : symbols_) {
+    if (!is_differentiated(symbol)) continue;
+    if (symbol->ordinal == function.symbol->ordinal)
+      return "Smooth" + std::to_string(number + function.index);
+    number += symbol->type.component_count();
+  }
+  throw NotScalar{"a function that is not assumed to be smooth"};
+}
+
+std::string RocqSequent::introductions() const {
+  std::vector<std::string> names;
+  std::set<std::string> seen;
+  for (const SymbolPointer& symbol : symbols_)
+    if (seen.insert(names_.variable(symbol).name).second)
+      names.push_back(names_.variable(symbol).name);
+  for (const auto& premise : statement_.smoothness) names.push_back(premise.name);
+  for (const auto& premise : statement_.hypotheses) names.push_back(premise.name);
+  for (const std::string& parameter : statement_.parameters) names.push_back(parameter);
+  for (const auto& premise : statement_.restrictions) names.push_back(premise.name);
+  return names.empty() ? "" : "  intros " + joined(names, " ") + ".\n";
+}
+
 std::vector<std::size_t> RocqSequent::guards_of(std::size_t hypothesis) const {
   std::vector<std::size_t> result;
   const std::vector<SymbolPointer> own = parameters_of(sequent_.hypotheses[hypothesis].statement);

@@ -48,6 +48,11 @@ class RocqSequent {
   /// The name of the premise of a hypothesis, and of the range of a parameter.
   std::string hypothesis_name(std::size_t hypothesis) const;
   std::string range_name(const SymbolPointer& parameter) const;
+  /// The name of the premise that a function is smooth.
+  /// @throws NotScalar when it is not assumed to be
+  std::string smoothness_name(const Coordinate& function) const;
+  /// "  intros …" for everything in front of the conclusion, a line; "" when there is nothing.
+  std::string introductions() const;
   /// Whether a hypothesis stands behind the parameters of the conclusions.
   bool is_restriction(std::size_t hypothesis) const;
   /// Whether the parameters of a hypothesis that is an equation are restricted by others.
