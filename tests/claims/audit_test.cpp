@@ -81,6 +81,13 @@ TEST_CASE("a refuted claim is false even under the assumptions that speak of the
   CHECK(status(audit, "q") == "flagged");
 }
 
+TEST_CASE("assumptions speak of the same through others, in whatever order they stand") {
+  const CaseAudit audit = audit_of(
+      "  scalar a, b, c, d, e\n  assume r: c == d\n  assume q: b == c\n  assume p: a == b\n"
+      "  assume s: e == 1\n  refute one: a == 0\n");
+  CHECK(needs(audit, "one") == "r kept, q kept, p kept, s unrelated");
+}
+
 TEST_CASE("a parameter in common does not relate equations, but inequalities") {
   const CaseAudit audit = audit_of(
       "  param u in [0, 1]\n  scalar f(t), g(t) : C^0\n  assume p: f(u) == 1\n"

@@ -84,6 +84,20 @@ TEST_CASE("indefinite forms are told from semidefinite ones", "[minimum]") {
   CHECK(verdict(square, "[2 ; 1] minimizes S(q) over q") == "REFUTED");
 }
 
+TEST_CASE("constraints may tie unknowns to each other", "[minimum]") {
+  const std::string squares = "scalar q[0..1]\nlet S(n) = n[0]^2 + n[1]^2\n";
+  const std::string tied = " minimizes S(q) over q where q[0] + q[1] == 1";
+  CHECK(verdict(squares, "[1/2 ; 1/2]" + tied) == "PROVED");
+  // Each is least when only one of the two unknowns moves.
+  CHECK(verdict(squares, "[0 ; 1]" + tied) == "REFUTED");
+  CHECK(verdict(squares, "[1 ; 0]" + tied) == "REFUTED");
+  const std::string three = "scalar q[0..2]\nlet S(n) = n[0]^2 + 2*n[1]^2 + n[2]^2\n";
+  const std::string twice = " minimizes S(q) over q where q[0] == 2*q[1], q[1] + q[2] == 7";
+  CHECK(verdict(three, "[2 ; 1 ; 6]" + twice) == "PROVED");
+  CHECK(verdict(three, "[0 ; 0 ; 7]" + twice) == "REFUTED");
+  CHECK(verdict(three, "[14 ; 7 ; 0]" + twice) == "REFUTED");
+}
+
 TEST_CASE("a candidate has to be one of the competitors", "[minimum][reject]") {
   CHECK(verdicts(bar + "prove m: t^3 minimizes L(p) over p\n") ==
         "m ERROR (the candidate is not among the competitors: no control points of theirs give "

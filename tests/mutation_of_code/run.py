@@ -29,13 +29,14 @@ LONGEST = 60
 # What is run first for a fault in a folder; then what comes below it, then the cases.
 NEXT = {"algebra": ["algebra", "kernel", "claims", "decide"], "kernel": ["kernel", "claims", "decide"],
         "symbolic": ["symbolic", "claims", "decide"], "decide": ["claims", "decide"],
-        "claims": ["claims", "report", "decide"], "language": ["language", "claims", "decide"],
+        "claims": ["claims", "report", "decide"],
+        "language": ["language", "claims", "decide", "repair", "mutation"],
         "prelude": []}
 
 
 def run(*command, **more):
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          check=False, **more)
+                          errors="replace", check=False, **more)
 
 
 def fails(*command):

@@ -186,6 +186,18 @@ TEST_CASE("rational functions are equal up to common factors") {
         "a denominator that is zero identically");
 }
 
+TEST_CASE("an argument equals one in which quotients cancel only together") {
+  Declarations declare;
+  const Term t = declare.parameter("t");
+  const Term a = declare.scalar("a");
+  const Term b = declare.scalar("b");
+  const Term curve = declare.curve("C", "t");
+  const Term nothing = 1 / a + 1 / b - (a + b) / (a * b);
+  CHECK(holds(at(curve, {t + nothing}), at(curve, {t})));
+  CHECK(holds(at(curve, {t}), at(curve, {t + nothing})));
+  CHECK(fails(at(curve, {t + 2 * nothing + 1}), at(curve, {t})));
+}
+
 TEST_CASE("powers and products of many summands are complete") {
   Declarations declare;
   const Term u = declare.parameter("u");

@@ -1,6 +1,7 @@
 #include <patchproof/kernel/frame.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include <patchproof/algebra/linear_system.hpp>
 
@@ -42,33 +43,36 @@ Rational derivative_at(Polynomial p, const Prescription& prescription,
 }  // namespace
 
 // The correction is a multiple of what vanishes on the earlier edges, so that they keep their
-// values: base + (what is missing) * vanishing / (vanishing on the edge). Dividing by the latter
-// needs it to divide what is missing, which it does when the edges agree at their corners.
+// values, and of (x - at)^order/order!: base + (what is missing) * vanishing / (vanishing on the edge).
+// Dividing by the latter needs it to divide what is missing, which it does when the edges agree at
+// their corners.
 void add_edge(const EdgePolynomial& edge, Frame& frame, Budget& budget) {
   const Polynomial offset =
       difference(Polynomial::variable(edge.slot), Polynomial{edge.at}, budget);
+  // The vanishing without its factor on this edge, and how often that factor occurs.
+  Polynomial rest = frame.vanishing;
+  int have = 0;
+  while (!rest.is_constant()) {
+    std::optional<Polynomial> shorter = quotient(rest, offset, budget);
+    if (!shorter) break;
+    rest = std::move(*shorter);
+    ++have;
+  }
   Polynomial base = frame.base;
-  Polynomial factor = frame.vanishing;
   for (int k = 0; k < edge.order; ++k) base = derivative(base, edge.slot);
   const std::map<Variable, Polynomial> there{{edge.slot, Polynomial{edge.at}}};
   const Polynomial missing = difference(edge.value, substituted(base, there, budget), budget);
-  const Polynomial across = substituted(factor, there, budget);
-  if (!missing.is_zero() && !across.is_zero()) {
+  const Polynomial across = substituted(rest, there, budget);
+  if (have <= edge.order && !missing.is_zero() && !across.is_zero()) {
     if (const std::optional<Polynomial> ratio = quotient(missing, across, budget)) {
       const Polynomial power_of_offset = scaled(
           power(offset, static_cast<unsigned>(edge.order), budget), 1 / factorial(edge.order));
-      factor = product(product(factor, power_of_offset, budget), *ratio, budget);
-      frame.base = sum(frame.base, factor, budget);
+      const Polynomial correction =
+          product(product(rest, power_of_offset, budget), *ratio, budget);
+      frame.base = sum(frame.base, correction, budget);
     }
   }
   // Order k is kept by what vanishes there k + 1 times.
-  Polynomial vanishing = frame.vanishing;
-  int have = 0;
-  for (auto rest = quotient(vanishing, offset, budget); rest && !vanishing.is_constant();
-       rest = quotient(vanishing, offset, budget)) {
-    vanishing = *rest;
-    ++have;
-  }
   for (int k = have; k <= edge.order; ++k)
     frame.vanishing = product(frame.vanishing, offset, budget);
 }
