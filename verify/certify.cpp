@@ -1,4 +1,5 @@
-// patchproof certify: certificates of verdicts for other programs to check, and coqc's word on them.
+// patchproof certify: certificates of verdicts for other programs to check, and coqc's word on
+// them.
 #include <unistd.h>
 #include <verify/case_work.hpp>
 #include <verify/check_options.hpp>
@@ -51,8 +52,7 @@ bool prepared(const std::string& folder) {
 bool written(const CertifyArguments& arguments, const CaseWork& work,
              const std::vector<std::string>& inputs) {
   Output output{(fs::path{arguments.folder} / work.file).string(), inputs};
-  return output.good() &&
-         output.write(arguments.format == "rocq" ? work.rocq.text : work.other);
+  return output.good() && output.write(arguments.format == "rocq" ? work.rocq.text : work.other);
 }
 
 std::size_t number_of_jobs(const CertifyArguments& arguments) {
@@ -150,8 +150,9 @@ ExitCode run(const CertifyArguments& arguments) {
   std::string verb = "with a certificate, not checked";
   std::string by;
   if (arguments.run_coqc && coqc.empty())
-    print_error("patchproof: there is no 'coqc'; certificates were written, not checked\n"
-                "  = help: on Debian: apt-get install coq libcoq-coquelicot\n");
+    print_error(
+        "patchproof: there is no 'coqc'; certificates were written, not checked\n"
+        "  = help: on Debian: apt-get install coq libcoq-coquelicot\n");
   if (!coqc.empty()) {
     std::string problem = library.get();
     if (problem.empty())
@@ -221,8 +222,10 @@ void declare(CLI::App& command, CertifyArguments& a) {
   option("--limit-steps", a.check.steps, "Arithmetic steps for a claim; 0: no limit", "N")
       ->check(whole_number());
   command.footer(
-      "Ends like 'patchproof check'; with 70 when coqc does not accept a certificate, or takes a claim\n"
-      "for another one than was asked, and with 2 when --strict is given and some claim has none.\n\n"
+      "Ends like 'patchproof check'; with 70 when coqc does not accept a certificate, or takes a "
+      "claim\n"
+      "for another one than was asked, and with 2 when --strict is given and some claim has "
+      "none.\n\n"
       "Example:\n  patchproof certify cases/coons -o out --check\n");
 }
 

@@ -47,7 +47,8 @@ class Check {
     return result;
   }
 
-  // As many as there are jobs, or more; a large case and small ones in each.
+  // As many as there are jobs, or more. The cases are sorted by size, so each gets some of every
+  // size.
   std::vector<std::vector<std::size_t>> bundles_of(const std::vector<std::size_t>& cases) const {
     const std::size_t least = (cases.size() + most_together - 1) / most_together;
     std::vector<std::vector<std::size_t>> result(
@@ -63,14 +64,13 @@ class Check {
     for (const std::vector<std::size_t>& bundle : bundles) {
       std::vector<const RocqFile*> parts;
       for (const std::size_t k : bundle) parts.push_back(&works_[k].rocq);
-      files.push_back(bundle.size() == 1 ? works_[bundle.front()].file
-                                         : bundle_file(files.size()));
+      files.push_back(bundle.size() == 1 ? works_[bundle.front()].file : bundle_file(files.size()));
       if (bundle.size() == 1) continue;
       if (!replace_file(path(files.back()), bundle_text(parts)).empty())
         return "a file could not be written";
     }
-    const std::vector<CoqRun> runs = coqc_runs(
-        how_.folder, files, how_.jobs, how_.longest, [&](std::size_t f) { progress_.next(files[f]); });
+    const std::vector<CoqRun> runs = coqc_runs(how_.folder, files, how_.jobs, how_.longest,
+                                               [&](std::size_t f) { progress_.next(files[f]); });
     std::string problem;
     for (std::size_t k = 0; k < alone.size() && problem.empty(); ++k)
       problem = take(works_[alone[k]], alone[k], runs[k]);

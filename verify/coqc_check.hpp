@@ -20,8 +20,8 @@ struct CoqcCheck {
   std::function<bool(const CaseWork&)> rewrite;
 };
 
-/// Lets coqc check the cases, small ones several at a time, and notes what it says of each. A theorem
-/// that it does not accept is left out, and the rest of the case tried again.
+/// Lets coqc check the cases, small ones several at a time, and notes what it says of each. A
+/// theorem that it does not accept is left out, and the rest of the case tried again.
 /// @returns what makes the whole impossible; "" when all is well.
 std::string check_with_coqc(const CoqcCheck& how, std::vector<CaseWork>& works);
 

@@ -17,8 +17,8 @@ std::string bundle_text(const std::vector<const RocqFile*>& files) {
   std::string text{rocq_head};
   std::string all;
   for (std::size_t k = 0; k < files.size(); ++k) {
-    text += "Definition " + mark(k) + " := tt.\nPrint " + mark(k) + ".\nModule " + module(k) + ".\n" +
-            files[k]->body + "End " + module(k) + ".\n";
+    text += "Definition " + mark(k) + " := tt.\nPrint " + mark(k) + ".\nModule " + module(k) +
+            ".\n" + files[k]->body + "End " + module(k) + ".\n";
     all += (k == 0 ? "" : ",\n  ") + module(k) + "." + rocq_theorems_together;
   }
   return text + "Definition all_together :=\n  (" + all + ").\nPrint Assumptions all_together.\n";

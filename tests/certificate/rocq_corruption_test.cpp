@@ -100,4 +100,27 @@ TEST_CASE("coqc accepts no certificate in which a number of the proof data was c
   CHECK(changed_numbers >= 3);
 }
 
+TEST_CASE("coqc accepts no changed cofactor of equations that are checked together") {
+  if (!std::filesystem::exists("/usr/bin/coqc")) return;
+  std::string text = "case c\n  scalar x";
+  for (int k = 1; k <= 8; ++k) text += ", a" + std::to_string(k);
+  for (int k = 1; k <= 8; ++k)
+    text += "\n  assume h" + std::to_string(k) + ": a" + std::to_string(k) + " == x";
+  text +=
+      "\n  prove both: [a1 + a2 + a3 + a4 + a5 + a6 + a7 + a8, 2*a1 + 3*a2 + a3 + a4 + a5 + a6 + "
+      "a7 + a8] == [8*x, 11*x]\nend\n";
+  const TemporaryFolder folder;
+  folder.write("a.proof", text);
+  REQUIRE(run_program(folder, {"certify", "a.proof", "-o", "out", "--check"}).code == 0);
+  const std::string certificate = folder.text("out/c.v");
+  REQUIRE(certificate.find("(equations ") != std::string::npos);
+  for (const std::string old_text : {"[([(Int (1))", "([(Int (2))"}) {
+    const std::size_t place = certificate.find(old_text);
+    REQUIRE(place != std::string::npos);
+    std::string changed = certificate;
+    changed[place + old_text.size() - 3] = '4';
+    CHECK_FALSE(accepted(folder, changed));
+  }
+}
+
 }  // namespace patchproof

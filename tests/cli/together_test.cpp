@@ -1,4 +1,5 @@
-// Small cases go to coqc several at a time. What it says of them together counts only when all is well.
+// Small cases go to coqc several at a time. What it says of them together counts only when all is
+// well.
 #include <catch2/catch.hpp>
 
 #include <tests/certificate/small_case.hpp>
@@ -28,7 +29,8 @@ Answer certified(const std::string& together, const std::string& alone) {
   folder.write("all.proof", proof);
   const FakeCoqc coqc{alone, together};
   Answer answer;
-  answer.ended = run_program(folder, {"certify", "all.proof", "-o", "out", "--check", "--jobs", "2"});
+  answer.ended =
+      run_program(folder, {"certify", "all.proof", "-o", "out", "--check", "--jobs", "2"});
   answer.asked = coqc.asked();
   return answer;
 }
@@ -50,8 +52,7 @@ TEST_CASE("cases that coqc accepts together are not asked about again") {
 TEST_CASE("a case that was misunderstood together with others is asked about alone") {
   const std::string printed = golden_certificate("small.printed");
   const std::string other = with_part(printed, "q 0%nat = p 0%nat", "q 0%nat = q 0%nat");
-  const Answer answer =
-      certified(mark(0) + printed + mark(1) + other + closed, printed + closed);
+  const Answer answer = certified(mark(0) + printed + mark(1) + other + closed, printed + closed);
   CHECK(answer.ended.code == 0);
   CHECK(!is_asked_alone(answer, "a.v"));
   CHECK(!is_asked_alone(answer, "b.v"));

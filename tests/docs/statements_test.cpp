@@ -44,7 +44,8 @@ std::vector<Statements> statements(const std::string& text) {
 
 // The file of cases in which the case stands.
 std::string file_of(const std::string& case_name) {
-  for (const auto& entry : fs::recursive_directory_iterator{fs::path{PATCHPROOF_SOURCE_FOLDER} / "cases"})
+  for (const auto& entry :
+       fs::recursive_directory_iterator{fs::path{PATCHPROOF_SOURCE_FOLDER} / "cases"})
     if (entry.path().extension() == ".proof" &&
         text_of(entry.path()).find("case " + case_name + "\n") != std::string::npos)
       return entry.path().string();

@@ -46,18 +46,20 @@ std::string joined(const std::vector<std::string>& parts) {
   return result;
 }
 
-// The scalar without the sign it begins with: x for -x, 2*x for (-2)*x; none where there is no sign.
+// The scalar without the sign it begins with: x for -x, 2*x for (-2)*x; none without a sign.
 ScalarPointer without_sign(const ScalarPointer& scalar) {
   switch (scalar->kind) {
     case Kind::integer:
       return scalar->number < 0 ? scalar_number(Rational{-scalar->number}) : nullptr;
-    case Kind::opposite: return scalar->children[0];
+    case Kind::opposite:
+      return scalar->children[0];
     case Kind::product:
     case Kind::quotient: {
       const ScalarPointer first = without_sign(scalar->children[0]);
       return first ? scalar_pair(scalar->kind, first, scalar->children[1]) : nullptr;
     }
-    default: return nullptr;
+    default:
+      return nullptr;
   }
 }
 
@@ -67,8 +69,8 @@ bool is_number(const ScalarPointer& scalar, int number) {
 
 }  // namespace
 
-// What is 0 is left out, and what begins with a sign is taken away. Each part is written once: sums
-// inside of sums would take too long otherwise.
+// What is 0 is left out, and a sign at the beginning is taken away. Each part is written once: nested
+// sums would take too long otherwise.
 std::string PythonText::sum(const Scalar& scalar, int level) {
   const ScalarPointer turned = without_sign(scalar.children[1]);
   const bool added = (scalar.kind == Kind::sum) == !turned;
@@ -154,7 +156,8 @@ std::vector<std::string> PythonText::enter(const std::vector<SymbolPointer>& for
   return result;
 }
 
-std::string PythonText::lambda(const std::vector<SymbolPointer>& formals, const ScalarPointer& body) {
+std::string PythonText::lambda(const std::vector<SymbolPointer>& formals,
+                               const ScalarPointer& body) {
   const std::map<unsigned, std::string> outside = bound_;
   std::string result = "lambda " + joined(enter(formals, body)) + ": ";
   result += expression(body, of_sum);
@@ -163,27 +166,32 @@ std::string PythonText::lambda(const std::vector<SymbolPointer>& formals, const 
 }
 
 bool PythonText::is_symbolic(const Scalar& scalar) const {
-  const auto child = [&](std::size_t k) { return is_symbolic(*scalar.children[k]); };
+  const auto symbolic = [this](const ScalarPointer& child) { return is_symbolic(*child); };
   switch (scalar.kind) {
-    case Kind::integer: return false;
-    case Kind::variable: return !bound_.contains(scalar.coordinate.symbol->ordinal);
+    case Kind::integer:
+    case Kind::named:
+      return false;
+    case Kind::variable:
+      return !bound_.contains(scalar.coordinate.symbol->ordinal);
     case Kind::sum:
     case Kind::difference:
-    case Kind::product: return child(0) || child(1);
+    case Kind::product:
     case Kind::opposite:
-    case Kind::power: return child(0);
-    case Kind::application: return scalar.function->kind != ScalarFunction::Kind::named &&
-                                   scalar.function->kind != ScalarFunction::Kind::lambda;
-    case Kind::named: return false;
-    default: return true;
+    case Kind::power:
+      return std::any_of(scalar.children.begin(), scalar.children.end(), symbolic);
+    case Kind::application:
+      return scalar.function->kind != ScalarFunction::Kind::named &&
+             scalar.function->kind != ScalarFunction::Kind::lambda;
+    default:
+      return true;
   }
 }
 
 std::string PythonText::quotient(const Scalar& scalar) {
   const ScalarPointer& above = scalar.children[0];
   const ScalarPointer& below = scalar.children[1];
-  const bool numbers = above->kind == Kind::integer && below->kind == Kind::integer;
-  if (numbers) return "Rational(" + above->number.str() + ", " + below->number.str() + ")";
+  if (above->kind == Kind::integer && below->kind == Kind::integer)
+    return "Rational(" + above->number.str() + ", " + below->number.str() + ")";
   const std::string left = expression(above, of_product);
   const std::string right = expression(below, of_power);
   // What is left out of sums and products may leave a whole number.
@@ -201,23 +209,26 @@ std::string PythonText::expression(const ScalarPointer& scalar, int level) {
   switch (scalar->kind) {
     case Kind::integer:
       return bracketed(scalar->number.str(), scalar->number < 0 ? of_opposite : of_call, level);
-    case Kind::variable: return variable(scalar->coordinate);
+    case Kind::variable:
+      return variable(scalar->coordinate);
     case Kind::sum:
-    case Kind::difference: return sum(*scalar, level);
-    case Kind::product: return product(*scalar, level);
-    case Kind::quotient: {
-      const bool numbers = scalar->children[0]->kind == Kind::integer &&
-                           scalar->children[1]->kind == Kind::integer;
-      return bracketed(quotient(*scalar), numbers ? of_call : of_product, level);
-    }
-    case Kind::opposite: return bracketed("-" + child(0, of_power), of_opposite, level);
+    case Kind::difference:
+      return sum(*scalar, level);
+    case Kind::product:
+      return product(*scalar, level);
+    case Kind::quotient:
+      return bracketed(quotient(*scalar), of_product, level);
+    case Kind::opposite:
+      return bracketed("-" + child(0, of_power), of_opposite, level);
     case Kind::power:
       return bracketed(child(0, of_call) + "**" + std::to_string(scalar->order), of_power, level);
     case Kind::bernstein:
-      return "bernstein(" + std::to_string(scalar->order) + ", " + std::to_string(scalar->index) + ", " +
-             child(0, of_lambda) + ")";
-    case Kind::root: return "sqrt(" + child(0, of_lambda) + ")";
-    case Kind::application: return application(*scalar, level);
+      return "bernstein(" + std::to_string(scalar->order) + ", " + std::to_string(scalar->index) +
+             ", " + child(0, of_lambda) + ")";
+    case Kind::root:
+      return "sqrt(" + child(0, of_lambda) + ")";
+    case Kind::application:
+      return application(*scalar, level);
     case Kind::integral:
       return "integral(" + lambda({scalar->formal}, scalar->children[2]) + ", " +
              child(0, of_lambda) + ", " + child(1, of_lambda) + ")";
@@ -244,9 +255,12 @@ std::string PythonText::derivative_text(const ScalarFunctionPointer& function) {
 
 std::string PythonText::function_text(const ScalarFunctionPointer& function) {
   switch (function->kind) {
-    case ScalarFunction::Kind::unknown: return variable(function->coordinate);
-    case ScalarFunction::Kind::lambda: return "(" + lambda(function->formals, function->body) + ")";
-    case ScalarFunction::Kind::derivative: return derivative_text(function);
+    case ScalarFunction::Kind::unknown:
+      return variable(function->coordinate);
+    case ScalarFunction::Kind::lambda:
+      return "(" + lambda(function->formals, function->body) + ")";
+    case ScalarFunction::Kind::derivative:
+      return derivative_text(function);
     case ScalarFunction::Kind::named:
       if (depends_on_bound(symbols_.of(function->inner))) return function_text(function->inner);
       seen_functions_.push_back(function->inner);

@@ -38,11 +38,12 @@ class FileWriter {
       }
       result.theorems.push_back(std::move(theorem));
     }
-    result.text = comment("case " + given_.name + (given_.title.empty() ? "" : ": " + given_.title));
+    result.text =
+        comment("case " + given_.name + (given_.title.empty() ? "" : ": " + given_.title));
     for (const Source& source : given_.sources)
-      result.text += comment("source: " + source.work +
-                             (source.section.empty() ? "" : ", " + source.section) +
-                             (source.page.empty() ? "" : ", p. " + source.page));
+      result.text +=
+          comment("source: " + source.work + (source.section.empty() ? "" : ", " + source.section) +
+                  (source.page.empty() ? "" : ", p. " + source.page));
     result.text += comment("written by patchproof " + std::string{version});
     for (const RocqDefinition& definition : text_.definitions()) {
       result.definitions.push_back(definition.name);
@@ -122,9 +123,10 @@ class FileWriter {
     const std::string name = names_.fresh("certified_" + label + suffix);
     theorem.theorems.push_back(name);
     theorem.statements.push_back(claim);
-    const std::string statement =
-        with_short_lines("Definition " + claim + " : Prop :=\n" + sequent.statement().text() + ".\n");
-    return statement + "Theorem " + name + " : " + sign + claim + ".\nProof.\n" + proof + "\nQed.\n\n";
+    const std::string statement = with_short_lines("Definition " + claim + " : Prop :=\n" +
+                                                   sequent.statement().text() + ".\n");
+    return statement + "Theorem " + name + " : " + sign + claim + ".\nProof.\n" + proof +
+           "\nQed.\n\n";
   }
 
   const Case& given_;

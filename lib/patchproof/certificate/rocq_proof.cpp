@@ -71,8 +71,9 @@ class ProofWriter {
     std::vector<std::string> smooth_proofs;
     for (const Coordinate& function : twin_.functions()) {
       const bool smooth = sequent_.is_differentiated(function.symbol);
-      smoothness.push_back(smooth ? "Smooth " + std::to_string(function.symbol->type.parameters.size()) + " " +
-                                        std::to_string(sequent_.smoothness(function.symbol))
+      smoothness.push_back(smooth ? "Smooth " +
+                                        std::to_string(function.symbol->type.parameters.size()) +
+                                        " " + std::to_string(sequent_.smoothness(function.symbol))
                                   : "Smooth 0 0");
       smooth_proofs.push_back(smooth ? sequent_.smoothness_name(function) : "I");
     }
@@ -94,7 +95,8 @@ class ProofWriter {
     return result;
   }
 
-  // Facts of parameters that the conclusions do not have are no facts here: a true one in their place.
+  // Facts of parameters that the conclusions do not have are no facts here: a true one in their
+  // place.
   void add_facts() {
     const Sequent& sequent = sequent_.sequent();
     const std::vector<Fact> all = facts_of(sequent);
@@ -124,10 +126,10 @@ class ProofWriter {
       if (relation == Relation::equal || relation == Relation::not_equal) continue;
       const bool strict = relation == Relation::less || relation == Relation::greater;
       const bool turned = relation == Relation::greater || relation == Relation::greater_equal;
-      const std::string proof = turned ? "(Rge_le _ _ " + sequent_.hypothesis_name(k) + ")"
-                                       : sequent_.hypothesis_name(k);
-      const std::string strict_proof = turned ? "(Rgt_lt _ _ " + sequent_.hypothesis_name(k) + ")"
-                                              : sequent_.hypothesis_name(k);
+      const std::string proof =
+          turned ? "(Rge_le _ _ " + sequent_.hypothesis_name(k) + ")" : sequent_.hypothesis_name(k);
+      const std::string strict_proof =
+          turned ? "(Rgt_lt _ _ " + sequent_.hypothesis_name(k) + ")" : sequent_.hypothesis_name(k);
       add(strict ? "(lt_difference _ _ " + strict_proof + ")"
                  : "(le_difference _ _ " + proof + ")");
     }
@@ -137,7 +139,8 @@ class ProofWriter {
   std::string sign_script(const std::string& goal, bool strict, const SignProof& proof) {
     return std::string{"refine ("} + (strict ? "positive" : "nonnegative") +
            " Phi sigma smoothness @n hypotheses nonzero reasons facts\n    " + goal + "\n    " +
-           rocq_log(proof, scalars_, twin_, instances_) + "\n    HypSmooth eq_refl HypEqual HypNonzero HypFacts _). " + computed + ".";
+           rocq_log(proof, scalars_, twin_, instances_) +
+           "\n    HypSmooth eq_refl HypEqual HypNonzero HypFacts _). " + computed + ".";
   }
 
   // Signs of divisors are shown before anything is known not to vanish.
@@ -154,14 +157,14 @@ class ProofWriter {
     const std::string scalar = twin_.of(scalars_.of(item.scalar).front());
     const std::string name = "HypSign" + std::to_string(index + 1);
     const std::string goal = item.negative ? "(Opp " + scalar + ")" : scalar;
-    signs_ += "  assert (" + name + " : 0 < denote Phi sigma " + goal + ").\n  { refine (positive " +
-              "Phi sigma smoothness @n hypotheses [] [] facts\n    " + goal + "\n    " +
-              rocq_log(*item.sign, scalars_, twin_, instances_) + "\n    HypSmooth eq_refl HypEqual I HypFacts _). " + computed +
-              ". }\n";
+    signs_ += "  assert (" + name + " : 0 < denote Phi sigma " + goal +
+              ").\n  { refine (positive " + "Phi sigma smoothness @n hypotheses [] [] facts\n    " +
+              goal + "\n    " + rocq_log(*item.sign, scalars_, twin_, instances_) +
+              "\n    HypSmooth eq_refl HypEqual I HypFacts _). " + computed + ". }\n";
     nonzero_.push_back(scalar);
-    nonzero_proofs_.push_back(std::string{item.negative ? "(nonzero_of_negative _ "
-                                                        : "(nonzero_of_positive _ "} +
-                              name + ")");
+    nonzero_proofs_.push_back(
+        std::string{item.negative ? "(nonzero_of_negative _ " : "(nonzero_of_positive _ "} + name +
+        ")");
   }
 
   void add_reasons() {
@@ -198,9 +201,10 @@ class ProofWriter {
       const std::string left_twin = twin_.of(left);
       const std::string right_twin = twin_.of(right);
       if (!together) {
-        result.push_back("refine (equation Phi sigma smoothness @n hypotheses nonzero reasons\n    " +
-                         cofactors + "\n    " + left_twin + "\n    " + right_twin +
-                         "\n    HypSmooth eq_refl HypEqual HypNonzero _). " + computed + ".");
+        result.push_back(
+            "refine (equation Phi sigma smoothness @n hypotheses nonzero reasons\n    " +
+            cofactors + "\n    " + left_twin + "\n    " + right_twin +
+            "\n    HypSmooth eq_refl HypEqual HypNonzero _). " + computed + ".");
         continue;
       }
       std::string proof = "HypGoals";
@@ -209,14 +213,15 @@ class ProofWriter {
       goals.push_back("(" + cofactors + ", (" + left_twin + ",\n     " + right_twin + "))");
     }
     if (!goals.empty())
-      equations_ = "  pose proof (equations Phi sigma smoothness @n hypotheses nonzero reasons\n    [" +
-                   joined(goals, ";\n    ") + "]\n    HypSmooth eq_refl HypEqual HypNonzero ltac:(" +
-                   computed + ")) as HypGoals.\n";
+      equations_ =
+          "  pose proof (equations Phi sigma smoothness @n hypotheses nonzero reasons\n    [" +
+          joined(goals, ";\n    ") + "]\n    HypSmooth eq_refl HypEqual HypNonzero ltac:(" +
+          computed + ")) as HypGoals.\n";
     return result;
   }
 
-  // Then what the hypotheses are worth is worked out once for all equations; but coqc takes longer to
-  // see that the statement follows.
+  // Then what the hypotheses are worth is worked out once for all equations; but coqc takes longer
+  // to see that the statement follows.
   bool are_checked_together() const {
     std::size_t equations = 0;
     std::size_t cofactors = 0;

@@ -19,7 +19,8 @@ Content operator+(const Content& a, const Content& b) {
   return {a.variables || b.variables, a.integrated || b.integrated, a.quotient || b.quotient};
 }
 
-// Evaluates to contents. What the formals of a lambda stand for is in `bound_` while its body is read.
+// Evaluates to contents. What the formals of a lambda stand for is in `bound_` while its body is
+// read.
 class ObstacleSearch {
  public:
   std::string found;
@@ -85,8 +86,7 @@ std::string obstacle_in_equation(const ScalarPointer& scalar) {
 }
 
 bool has_root(const ScalarPointer& scalar) {
-  return scalar->kind == Scalar::Kind::root ||
-         (scalar->function && has_root(scalar->function)) ||
+  return scalar->kind == Scalar::Kind::root || (scalar->function && has_root(scalar->function)) ||
          std::any_of(scalar->children.begin(), scalar->children.end(),
                      [](const ScalarPointer& child) { return has_root(child); });
 }

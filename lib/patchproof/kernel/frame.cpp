@@ -43,9 +43,9 @@ Rational derivative_at(Polynomial p, const Prescription& prescription,
 }  // namespace
 
 // The correction is a multiple of what vanishes on the earlier edges, so that they keep their
-// values, and of (x - at)^order/order!: base + (what is missing) * vanishing / (vanishing on the edge).
-// Dividing by the latter needs it to divide what is missing, which it does when the edges agree at
-// their corners.
+// values, and of (x - at)^order/order!: base + (what is missing) * vanishing / (vanishing on the
+// edge). Dividing by the latter needs it to divide what is missing, which it does when the edges
+// agree at their corners.
 void add_edge(const EdgePolynomial& edge, Frame& frame, Budget& budget) {
   const Polynomial offset =
       difference(Polynomial::variable(edge.slot), Polynomial{edge.at}, budget);
@@ -67,8 +67,7 @@ void add_edge(const EdgePolynomial& edge, Frame& frame, Budget& budget) {
     if (const std::optional<Polynomial> ratio = quotient(missing, across, budget)) {
       const Polynomial power_of_offset = scaled(
           power(offset, static_cast<unsigned>(edge.order), budget), 1 / factorial(edge.order));
-      const Polynomial correction =
-          product(product(rest, power_of_offset, budget), *ratio, budget);
+      const Polynomial correction = product(product(rest, power_of_offset, budget), *ratio, budget);
       frame.base = sum(frame.base, correction, budget);
     }
   }
