@@ -87,46 +87,48 @@ std::string write_checked(const std::string& folder, const CheckedFolder& checke
                      {"claims", file.claims},
                      {"left_out", file.left_out},
                      {"axioms", file.axioms}});
-  const Json record{{"format", format_name},
-                    {"version", 1},
-                    {"program", std::string{version}},
-                    {"coqc", checked.coqc},
-                    {"library", library_digest()},
-                    {"files", std::move(files)}};
+  const Json record{{"format", format_name},           {"version", 1},
+                    {"program", std::string{version}}, {"coqc", checked.coqc},
+                    {"library", library_digest()},     {"files", std::move(files)}};
   const std::string path = (std::filesystem::path{folder} / record_name).string();
   const std::string problem = replace_file(path, record.dump(2) + "\n");
   return problem.empty() ? "" : "cannot write '" + path + "': " + problem;
 }
 
-std::string evidence_raised(const std::string& folder, Report& report) {
-  if (folder.empty()) return "";
+std::string read_checked(const std::string& folder, CheckedFolder& checked) {
   const std::string path = (std::filesystem::path{folder} / record_name).string();
   const FileText text = file_text(path);
   if (!text.text) return "cannot read '" + path + "': " + text.problem;
-  CheckedFolder checked;
   try {
     checked = from_json(Json::parse(*text.text));
   } catch (const std::exception& error) {
     return "'" + path + "' is no record of checked certificates: " + error.what();
   }
+  return "";
+}
+
+CertifiedClaims certified_claims(const CheckedFolder& checked, const CaseResult& result) {
+  const auto record =
+      std::find_if(checked.files.begin(), checked.files.end(),
+                   [&](const CheckedFile& one) { return one.case_name == result.verified.name; });
+  if (record == checked.files.end()) return {};
+  const CaseCertificates own = certificates_of(result);
+  const std::string now =
+      rocq_file(result.verified, without(own.certificates, record->left_out)).text;
+  if (sha256(now) != record->digest) return {};
+  return {record->claims, check_in_words(checked.coqc, record->axioms)};
+}
+
+void raise_evidence(const CheckedFolder& checked, Report& report) {
   for (FileReport& file : report.files)
     for (CaseResult& result : file.cases) {
-      const auto record =
-          std::find_if(checked.files.begin(), checked.files.end(), [&](const CheckedFile& one) {
-            return one.case_name == result.verified.name;
-          });
-      if (record == checked.files.end()) continue;
-      const CaseCertificates own = certificates_of(result);
-      const std::string now =
-          rocq_file(result.verified, without(own.certificates, record->left_out)).text;
-      if (sha256(now) != record->digest) continue;
+      const CertifiedClaims certified = certified_claims(checked, result);
       for (ClaimResult& claim : result.claims)
-        if (contains(record->claims, claim_id(result.verified, claim.claim))) {
+        if (contains(certified.ids, claim_id(result.verified, claim.claim))) {
           claim.decision.evidence = Evidence::certified;
-          claim.decision.certificate = check_in_words(checked.coqc, record->axioms);
+          claim.decision.certificate = certified.by;
         }
     }
-  return "";
 }
 
 }  // namespace patchproof

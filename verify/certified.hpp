@@ -40,11 +40,22 @@ struct CheckedFolder {
 /// @returns what went wrong; "" when all is well.
 std::string write_checked(const std::string& folder, const CheckedFolder& checked);
 
-/// Raises the evidence of the claims in the report for which the folder holds a checked certificate
-/// of what the case says now: the file is written anew and has to be the one that was checked.
-/// Nothing happens without a folder; claims of cases of which only some were decided keep theirs.
+/// Reads what was checked in the folder.
 /// @returns what is wrong with the folder; "" when all is well.
-std::string evidence_raised(const std::string& folder, Report& report);
+std::string read_checked(const std::string& folder, CheckedFolder& checked);
+
+/// The ids of the claims for which there is a checked certificate of what the case says now: the
+/// file is written anew and has to be the one that was checked, so that all claims of the case have
+/// to be decided.
+struct CertifiedClaims {
+  std::vector<std::string> ids;
+  /// As in `Decision::certificate`.
+  std::string by;
+};
+CertifiedClaims certified_claims(const CheckedFolder& checked, const CaseResult& result);
+
+/// Raises the evidence of these claims in a report.
+void raise_evidence(const CheckedFolder& checked, Report& report);
 
 /// "coqc 8.16.1, axioms: a, b"
 std::string check_in_words(const std::string& coqc, const std::vector<std::string>& axioms);

@@ -1,8 +1,8 @@
 // patchproof check: reads case files, decides their claims, writes the report.
 #include <unistd.h>
-#include <verify/certified.hpp>
 #include <verify/check_options.hpp>
 #include <verify/commands.hpp>
+#include <verify/crew.hpp>
 #include <verify/files.hpp>
 #include <verify/list.hpp>
 #include <verify/output.hpp>
@@ -37,27 +37,11 @@ ReportStyle style_of(const CheckArguments& arguments) {
   return style;
 }
 
-std::vector<const Case*> all_cases(const std::vector<CaseFile>& files) {
-  std::vector<const Case*> cases;
-  for (const CaseFile& file : files)
-    for (const Case& read : file.cases) cases.push_back(&read);
-  return cases;
-}
-
-std::size_t count_of(const Selection& selection, const std::vector<const Case*>& cases) {
-  std::size_t count = 0;
-  for (const Case* of : cases)
-    for (const Claim& claim : of->claims)
-      if (selection.contains(*of, claim)) ++count;
-  return count;
-}
-
 /// Says what of the command line came to nothing: such a run is not to look like a success.
-void say_what_is_empty(const FoundPaths& paths, const Selection& selection,
-                       const std::vector<CaseFile>& files, ExitCode code) {
+void say_what_is_empty(const FoundPaths& paths, const std::vector<std::string>& unmatched,
+                       ExitCode code) {
   for (const std::string& folder : paths.empty_folders)
     print_error("patchproof: no .proof file in '" + folder + "'\n");
-  const std::vector<std::string> unmatched = selection.unmatched(all_cases(files));
   for (const std::string& pattern : unmatched)
     print_error("patchproof: no claim matches --only '" + pattern + "'\n");
   const bool said = !paths.empty_folders.empty() || !unmatched.empty();
@@ -65,45 +49,73 @@ void say_what_is_empty(const FoundPaths& paths, const Selection& selection,
     print_error("patchproof: there is no claim to decide\n");
 }
 
-Report decided_with_progress(const std::vector<CaseFile>& files, CheckOptions options,
-                             std::size_t claims) {
-  Progress progress{claims};
-  options.progress = [&](const Case& of, const Claim& claim) {
-    progress.next(claim_id(of, claim));
-  };
-  return decided(files, options);
+Work work_of(const CheckArguments& arguments, const FoundPaths& paths) {
+  Work work;
+  work.options = options_of(arguments);
+  work.selection = Selection{arguments.only};
+  if (!arguments.shard.empty()) work.shard = *shard_from_text(arguments.shard);
+  for (const Input& unreadable : paths.unreadable) {
+    work.known.emplace(work.paths.size(), unreadable);
+    work.paths.push_back(unreadable.path);
+  }
+  for (const std::string& path : paths.files) {
+    const bool standard_input = path == "-";
+    if (standard_input) work.known.emplace(work.paths.size(), input_at(path));
+    work.paths.push_back(standard_input ? standard_input_name : path);
+  }
+  return work;
+}
+
+// Nothing is decided, so that there is nothing to share out.
+ExitCode list(const CheckArguments& arguments, const FoundPaths& paths, Output& output) {
+  CheckOptions options = options_of(arguments);
+  const std::vector<CaseFile> files = read_files(inputs(paths), options);
+  const Selection selection{arguments.only};
+  std::vector<const Case*> cases;
+  bool any = false;
+  for (const CaseFile& file : files)
+    for (const Case& read : file.cases) {
+      cases.push_back(&read);
+      for (const Claim& claim : read.claims) any = any || selection.contains(read, claim);
+    }
+  options.wanted = [](const Case&, const Claim&) { return false; };
+  const Report report = decided(files, options);
+  print_error(mistakes(report));
+  ExitCode code = exit_code(report);
+  if (code == ExitCode::nothing_ran && any) code = ExitCode::as_expected;
+  say_what_is_empty(paths, selection.unmatched(cases), code);
+  const bool well = output.write(list_of(cases, selection, arguments.format));
+  return well ? code : graver(code, ExitCode::unreadable);
 }
 
 ExitCode run(const CheckArguments& arguments) {
-  const Selection selection{arguments.only};
-  CheckOptions options = options_of(arguments);
-  if (!selection.everything())
-    options.wanted = [&](const Case& of, const Claim& claim) {
-      return selection.contains(of, claim);
-    };
-
   const FoundPaths paths = found_paths(arguments.paths);
-  const std::vector<CaseFile> files = read_files(inputs(paths), options);
   // Opened before the work is done, which would be in vain if it could not be written down.
   Output output{arguments.output, paths.files};
   if (!output.good()) return ExitCode::unreadable;
+  if (arguments.list) return list(arguments, paths, output);
 
-  const std::size_t claims = count_of(selection, all_cases(files));
-  // A list is what is left when nothing is decided.
-  if (arguments.list) options.wanted = [](const Case&, const Claim&) { return false; };
-  Report report = decided_with_progress(files, options, claims);
-  print_error(mistakes(report));
-  ExitCode code = exit_code(report);
-  if (const std::string problem = evidence_raised(arguments.certificates, report);
-      !problem.empty()) {
+  Work work = work_of(arguments, paths);
+  std::string problem;
+  if (!arguments.certificates.empty()) {
+    work.checked.emplace();
+    problem = read_checked(arguments.certificates, *work.checked);
+    if (!problem.empty()) work.checked.reset();
+  }
+  const WorkDone done = [&] {
+    Progress progress;
+    return done_by_crew(work, jobs_of(arguments), [&](const std::string& id, std::size_t claims) {
+      progress.next(id, claims);
+    });
+  }();
+  print_error(mistakes(done.run));
+  ExitCode code = exit_code(done.run);
+  if (!problem.empty()) {
     print_error("patchproof: " + problem + "\n");
     code = graver(code, ExitCode::unreadable);
   }
-  if (arguments.list && code == ExitCode::nothing_ran && claims > 0) code = ExitCode::as_expected;
-  say_what_is_empty(paths, selection, files, code);
-  const bool well =
-      output.write(arguments.list ? list_of(all_cases(files), selection, arguments.format)
-                                  : written(report, arguments.format, style_of(arguments)));
+  say_what_is_empty(paths, done.unmatched, code);
+  const bool well = output.write(written(done.run, arguments.format, style_of(arguments)));
   return well ? code : graver(code, ExitCode::unreadable);
 }
 
@@ -116,6 +128,12 @@ void add_check(CLI::App& program, ExitCode& result) {
   command->callback([arguments, &result] {
     if (arguments->paths.empty())
       throw UsageError{"nothing to check: name files or folders, or '-' for standard input"};
+    for (const auto& [given, option] :
+         {std::pair{arguments->audit, "--audit"},
+          std::pair{!arguments->certificates.empty(), "--certificates"},
+          std::pair{arguments->list, "--list"}})
+      if (given && !arguments->shard.empty())
+        throw UsageError{std::string{option} + " is about whole cases: leave out --shard"};
     result = run(*arguments);
   });
 }

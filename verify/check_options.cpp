@@ -1,14 +1,17 @@
 #include <verify/check_options.hpp>
 #include <verify/files.hpp>
+#include <verify/shard.hpp>
 
 #include <algorithm>
 #include <set>
+#include <thread>
 
 namespace patchproof {
 
 namespace {
 
 constexpr std::size_t most_digits = 12;
+constexpr std::size_t most_jobs = 1024;
 
 bool is_whole(const std::string& text) {
   return !text.empty() && text.size() <= most_digits &&
@@ -48,6 +51,23 @@ std::set<std::string> format_names() {
 CLI::Validator whole_number() { return {whole_number_fault, "", "whole number"}; }
 CLI::Validator number_of_seconds() { return {seconds_fault, "", "seconds"}; }
 
+CLI::Validator count_of_jobs() {
+  return {[](const std::string& text) {
+            const bool good =
+                is_whole(text) && std::stoull(text) >= 1 && std::stoull(text) <= most_jobs;
+            return good ? "" : "'" + text + "' is not a whole number from 1 to 1024";
+          },
+          "", "jobs"};
+}
+
+CLI::Validator shard_of_a_run() {
+  return {[](const std::string& text) {
+            return shard_from_text(text) ? ""
+                                         : "'" + text + "' is not the number of a shard, like 2/4";
+          },
+          "", "shard"};
+}
+
 void declare(CLI::App& command, CheckArguments& a) {
   const CLI::Validator whole = whole_number();
   const CLI::Validator seconds = number_of_seconds();
@@ -65,9 +85,10 @@ void declare(CLI::App& command, CheckArguments& a) {
   option("--format", a.format, "text (usual) or json", "FORMAT")
       ->check(CLI::IsMember(format_names()));
   option("--output", a.output, "Write the report to a file", "FILE");
-  option("--certificates", a.certificates,
-         "Folder of 'patchproof certify --check': what is still as it was checked there is certified",
-         "DIR");
+  option(
+      "--certificates", a.certificates,
+      "Folder of 'patchproof certify --check': what is still as it was checked there is certified",
+      "DIR");
   command.add_flag("--strict", a.strict, "Claims that hold only under conditions are not enough");
   command.add_flag("--audit", a.audit,
                    "Also say which claims need which assumptions; one that nothing needs is a "
@@ -81,6 +102,13 @@ void declare(CLI::App& command, CheckArguments& a) {
       ->check(CLI::IsMember(std::set<std::string>{"auto", "always", "never"}));
   option("--engines", a.engines, "both (usual), or kernel: without second opinion", "WHICH")
       ->check(CLI::IsMember(std::set<std::string>{"both", "kernel"}));
+  option("--jobs", a.jobs, "Claims decided at the same time; usual: the number of processors", "N")
+      ->check(count_of_jobs());
+  option("--shard", a.shard,
+         "Only the i-th of n parts of the claims, for one of n machines; 'patchproof merge' joins "
+         "their reports",
+         "i/n")
+      ->check(shard_of_a_run());
   option("--limit-time", a.seconds, "Time for a claim; 0: no limit", "SECONDS")->check(seconds);
   option("--limit-memory", a.megabytes, "Memory for a claim; 0: no limit", "MB")->check(whole);
   option("--limit-steps", a.steps, "Arithmetic steps for a claim; 0: no limit", "N")->check(whole);
@@ -92,6 +120,11 @@ void declare(CLI::App& command, CheckArguments& a) {
       "conditions), 4 for mistakes in a text, 5 when there is no claim, 64 for a wrong command\n"
       "line, 70 for a fault of the program.\n\n"
       "Example:\n  patchproof check cases --only 'coons.*'\n");
+}
+
+std::size_t jobs_of(const CheckArguments& arguments) {
+  if (!arguments.jobs.empty()) return std::stoull(arguments.jobs);
+  return std::max(1U, std::thread::hardware_concurrency());
 }
 
 CheckOptions options_of(const CheckArguments& arguments) {

@@ -21,6 +21,8 @@ struct CheckArguments {
   std::string megabytes;
   std::string steps;
   std::string terms;
+  std::string jobs;
+  std::string shard;
   bool strict = false;
   bool audit = false;
   bool list = false;
@@ -31,9 +33,14 @@ struct CheckArguments {
 /// Tells the command about its options, which are put into the arguments.
 void declare(CLI::App& command, CheckArguments& arguments);
 
-/// What a whole number, and a number of seconds, may look like on the command line.
+/// What a whole number, a number of seconds, and of workers, may look like on the command line.
 CLI::Validator whole_number();
 CLI::Validator number_of_seconds();
+CLI::Validator count_of_jobs();
+CLI::Validator shard_of_a_run();
+
+/// How many workers are asked for; the number of processors where nothing is said.
+std::size_t jobs_of(const CheckArguments& arguments);
 
 /// What the arguments mean for the library.
 CheckOptions options_of(const CheckArguments& arguments);

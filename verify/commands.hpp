@@ -18,6 +18,7 @@ void add_certify(CLI::App& program, ExitCode& result);
 void add_definitions(CLI::App& program, ExitCode& result);
 void add_dump(CLI::App& program, ExitCode& result);
 void add_recheck(CLI::App& program, ExitCode& result);
+void add_merge(CLI::App& program, ExitCode& result);
 
 /// Thrown by a subcommand whose arguments do not make sense together; ends in exit code 64.
 class UsageError : public CLI::ValidationError {

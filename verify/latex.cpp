@@ -194,10 +194,13 @@ ExitCode run(const LatexArguments& arguments) {
       progress.next(claim_id(of, claim));
     };
     report = decided(files, check);
-    if (const std::string problem = evidence_raised(arguments.check.certificates, report);
-        !problem.empty()) {
-      print_error("patchproof: " + problem + "\n");
-      return ExitCode::unreadable;
+    if (const std::string& folder = arguments.check.certificates; !folder.empty()) {
+      CheckedFolder checked;
+      if (const std::string problem = read_checked(folder, checked); !problem.empty()) {
+        print_error("patchproof: " + problem + "\n");
+        return ExitCode::unreadable;
+      }
+      raise_evidence(checked, report);
     }
     pages = pages_of(report, check, options);
   }

@@ -56,6 +56,7 @@ int run(int argument_count, char* arguments[]) {
   add_definitions(program, result);
   add_dump(program, result);
   add_recheck(program, result);
+  add_merge(program, result);
   try {
     program.parse(argument_count, arguments);
     return ended(result);

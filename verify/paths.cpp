@@ -87,14 +87,16 @@ FoundPaths found_paths(const std::vector<std::string>& arguments) {
   return search.found();
 }
 
+Input input_at(const std::string& path) {
+  const bool standard_input = path == "-";
+  FileText read = standard_input ? standard_input_text() : file_text(path);
+  return {standard_input ? standard_input_name : path, std::move(read.text),
+          std::move(read.problem)};
+}
+
 std::vector<Input> inputs(const FoundPaths& paths) {
   std::vector<Input> result = paths.unreadable;
-  for (const std::string& path : paths.files) {
-    const bool standard_input = path == "-";
-    FileText read = standard_input ? standard_input_text() : file_text(path);
-    result.push_back({standard_input ? standard_input_name : path, std::move(read.text),
-                      std::move(read.problem)});
-  }
+  for (const std::string& path : paths.files) result.push_back(input_at(path));
   return result;
 }
 

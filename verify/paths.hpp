@@ -22,6 +22,9 @@ struct FoundPaths {
 /// folder is entered once, so that symbolic links may form circles. Files may have any ending.
 FoundPaths found_paths(const std::vector<std::string>& arguments);
 
+/// The text of a path, or of standard input for "-".
+Input input_at(const std::string& path);
+
 /// The texts of all that was found, each to be read anew from the system.
 std::vector<Input> inputs(const FoundPaths& paths);
 

@@ -18,6 +18,11 @@ Progress::~Progress() {
   if (shown_) print_error(start_of_line);
 }
 
+void Progress::next(const std::string& id, std::size_t total) {
+  total_ = total;
+  next(id);
+}
+
 void Progress::next(const std::string& id) {
   ++done_;
   if (!terminal_) return;

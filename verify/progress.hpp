@@ -10,13 +10,15 @@ namespace patchproof {
 /// Only where standard error is a terminal, and not more often than a person can read.
 class Progress {
  public:
-  explicit Progress(std::size_t total);
+  explicit Progress(std::size_t total = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// Goes on to the next claim.
   void next(const std::string& id);
+  /// The same where more has been found to do.
+  void next(const std::string& id, std::size_t total);
 
  private:
   std::size_t total_;

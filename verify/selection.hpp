@@ -20,6 +20,7 @@ class Selection {
   /// tags of cases. Without patterns, everything is selected.
   explicit Selection(std::vector<std::string> patterns) : patterns_{std::move(patterns)} {}
 
+  const std::vector<std::string>& patterns() const { return patterns_; }
   bool everything() const { return patterns_.empty(); }
   bool contains(const Case& of, const Claim& claim) const;
   /// The patterns that no claim of these cases matches.

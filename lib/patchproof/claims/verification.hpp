@@ -1,7 +1,10 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,10 +52,36 @@ struct CaseResult {
   std::vector<ShownResult> shown;
 };
 
+/// Decides the claims of a case in any order. A derivation that a claim uses is decided when it is
+/// first needed, and once.
+class CaseVerifier {
+ public:
+  /// The case has to live as long. `begins` is called before each decision.
+  CaseVerifier(const Case& given, Engines engines, std::function<void()> begins = {});
+
+  /// Decides the claim of this index.
+  ClaimResult decided(std::size_t index);
+  /// Describes what this `show` of the case asks for.
+  ShownResult described(std::size_t index) const;
+
+ private:
+  std::optional<std::size_t> derivation_for(const std::string& label, const std::string& instance,
+                                            std::size_t before) const;
+  std::set<std::size_t> derivations_below(std::size_t index) const;
+  ClaimResult decide(std::size_t index) const;
+  Decision decision_of(std::size_t index, ClaimResult& result) const;
+
+  const Case& given_;
+  Engines engines_;
+  std::function<void()> begins_;
+  /// Label -> instance -> index of the derivation.
+  std::map<std::string, std::map<std::string, std::size_t>> derivations_;
+  std::map<std::size_t, ClaimResult> decided_derivations_;
+};
+
 struct VerificationOptions {
   Engines engines = Engines::both;
-  /// Claims for which this is false are not decided; derivations they use are decided all the same,
-  /// but not reported. Empty: all.
+  /// Claims for which this is false are not reported. Empty: all are.
   std::function<bool(const Claim&)> wanted;
   /// Called before each claim that is decided.
   std::function<void(const Claim&)> progress;

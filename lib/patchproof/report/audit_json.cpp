@@ -32,6 +32,8 @@ Json to_json(const AssumptionAudit& assumption) {
   return object;
 }
 
+}  // namespace
+
 Json to_json(const CaseAudit& audit) {
   Json claims = Json::array();
   for (const ClaimAudit& claim : audit.claims) claims.push_back(to_json(claim));
@@ -40,15 +42,6 @@ Json to_json(const CaseAudit& audit) {
     assumptions.push_back(to_json(assumption));
   return {
       {"case", audit.name}, {"claims", std::move(claims)}, {"assumptions", std::move(assumptions)}};
-}
-
-}  // namespace
-
-void add_audits(const std::vector<FileReport>& files, Json& document) {
-  Json audits = Json::array();
-  for (const FileReport& file : files)
-    for (const CaseAudit& audit : file.audits) audits.push_back(to_json(audit));
-  if (!audits.empty()) document["audits"] = std::move(audits);
 }
 
 }  // namespace patchproof

@@ -8,7 +8,6 @@
 
 namespace patchproof {
 
-/// Adds "audits", one for each case that was asked; nothing where none was.
-void add_audits(const std::vector<FileReport>& files, Json& document);
+Json to_json(const CaseAudit& audit);
 
 }  // namespace patchproof

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <patchproof/report/report.hpp>
+#include <patchproof/report/record.hpp>
 
 namespace patchproof {
 
@@ -11,7 +11,7 @@ namespace patchproof {
 struct ClaimLine {
   std::string id;
   /// The first, or the only, one.
-  const ClaimResult* result = nullptr;
+  const ClaimRecord* claim = nullptr;
   std::size_t instances = 1;
 };
 
@@ -20,6 +20,6 @@ struct ClaimLine {
 /// Instances of one family share a line where their answers are the same; where the answers of a
 /// family differ, each instance that needs attention has a line of its own. The lines point into
 /// the case.
-std::vector<ClaimLine> claim_lines(const CaseResult& given, bool strict);
+std::vector<ClaimLine> claim_lines(const CaseRecord& given, bool strict);
 
 }  // namespace patchproof

@@ -15,10 +15,14 @@ const std::vector<Format>& formats() {
   return all;
 }
 
-std::string written(const Report& report, std::string_view format, const ReportStyle& style) {
+std::string written(const RunRecord& run, std::string_view format, const ReportStyle& style) {
   for (const Format& known : formats())
-    if (known.name == format) return known.write(report, style);
+    if (known.name == format) return known.write(run, style);
   throw std::invalid_argument{"there is no format '" + std::string{format} + "'"};
+}
+
+std::string written(const Report& report, std::string_view format, const ReportStyle& style) {
+  return written(record_of(report), format, style);
 }
 
 }  // namespace patchproof

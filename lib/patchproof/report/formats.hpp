@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include <patchproof/report/report.hpp>
+#include <patchproof/report/record.hpp>
 
 namespace patchproof {
 
@@ -25,7 +25,7 @@ struct ReportStyle {
 /// A way to write a report down.
 struct Format {
   std::string_view name;
-  std::string (*write)(const Report& report, const ReportStyle& style);
+  std::string (*write)(const RunRecord& run, const ReportStyle& style);
 };
 
 /// All formats; the first is the usual one.
@@ -33,6 +33,7 @@ const std::vector<Format>& formats();
 
 /// The report in the format of the name. The same report always gives the same bytes.
 /// @throws std::invalid_argument when there is no such format.
+std::string written(const RunRecord& run, std::string_view format, const ReportStyle& style);
 std::string written(const Report& report, std::string_view format, const ReportStyle& style);
 
 }  // namespace patchproof

@@ -1,18 +1,8 @@
 #include <patchproof/report/json_parts.hpp>
 
+#include <patchproof/report/claim_json.hpp>
+
 namespace patchproof {
-
-namespace {
-
-Json to_json(const Diagnostic& diagnostic) {
-  Json object;
-  add_place(diagnostic.span, object);
-  object["message"] = diagnostic.message;
-  object["help"] = text_or_null(diagnostic.help);
-  return object;
-}
-
-}  // namespace
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
 
@@ -22,15 +12,22 @@ Json named_values(const std::vector<std::pair<std::string, std::string>>& values
   return list;
 }
 
-void add_place(const Span& span, Json& object) {
-  if (!span.source) {
+void add_place(const FilePlace& place, Json& object) {
+  if (place.file.empty()) {
     object["file"] = object["line"] = object["column"] = nullptr;
     return;
   }
-  const Position position = position_of(*span.source, span.begin);
-  object["file"] = span.source->name;
-  object["line"] = position.line;
-  object["column"] = position.column;
+  object["file"] = place.file;
+  object["line"] = place.line;
+  object["column"] = place.column;
+}
+
+void add_place(const Span& span, Json& object) { add_place(place_at(span), object); }
+
+FilePlace place_from(const Json& object) {
+  if (object.at("file").is_null()) return {};
+  return {object.at("file").get<std::string>(), object.at("line").get<std::size_t>(),
+          object.at("column").get<std::size_t>()};
 }
 
 Json witness_of(const Decision& decision) {
@@ -42,13 +39,13 @@ Json witness_of(const Decision& decision) {
           {"component", text_or_null(witness.component)}};
 }
 
-void add_mistakes(const std::vector<FileReport>& files, Json& document) {
+void add_mistakes(const std::vector<FileRecord>& files, Json& document) {
   Json diagnostics = Json::array();
   Json unreadable = Json::array();
-  for (const FileReport& file : files) {
+  for (const FileRecord& file : files) {
     if (!file.unreadable.empty())
       unreadable.push_back({{"path", file.path}, {"message", file.unreadable}});
-    for (const Diagnostic& diagnostic : file.diagnostics)
+    for (const DiagnosticRecord& diagnostic : file.diagnostics)
       diagnostics.push_back(to_json(diagnostic));
   }
   document["diagnostics"] = std::move(diagnostics);

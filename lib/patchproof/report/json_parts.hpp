@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <patchproof/report/report.hpp>
+#include <patchproof/report/record.hpp>
 
 namespace patchproof {
 
@@ -17,10 +17,14 @@ using Json = nlohmann::ordered_json;
 Json text_or_null(const std::string& text);
 
 /// Adds "file", "line" and "column", null without a text.
+void add_place(const FilePlace& place, Json& object);
 void add_place(const Span& span, Json& object);
+/// The place that was added to an object.
+/// @throws std::exception when there is none.
+FilePlace place_from(const Json& object);
 
 /// Adds "diagnostics" and "unreadable": what could not be read of the files.
-void add_mistakes(const std::vector<FileReport>& files, Json& document);
+void add_mistakes(const std::vector<FileRecord>& files, Json& document);
 
 /// "values", "left", "right" and "component" of a refuted claim; null for any other.
 Json witness_of(const Decision& decision);

@@ -8,6 +8,6 @@ namespace patchproof {
 
 /// The report as one JSON document, as described in docs/json.md; no times, so that two runs give
 /// the same bytes. Bytes that are not valid UTF-8 become U+FFFD.
-std::string json_report(const Report& report, const ReportStyle& style);
+std::string json_report(const RunRecord& run, const ReportStyle& style);
 
 }  // namespace patchproof

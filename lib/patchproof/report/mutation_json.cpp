@@ -116,7 +116,7 @@ std::string json_of(const MutationReport& report) {
                          {"unnoticed", all.unnoticed},
                          {"same", all.same},
                          {"undecided", all.undecided}};
-  add_mistakes(report.files, document);
+  add_mistakes(record_of(Report{report.files, false}).files, document);
   document["exit"] = static_cast<int>(exit_code(report));
   return in_lines(document);
 }

@@ -63,7 +63,7 @@ std::string json_of(const RepairReport& report) {
   document["statements"] = Json::array();
   for (const Repairs& statement : report.statements)
     document["statements"].push_back(to_json(statement));
-  add_mistakes(report.files, document);
+  add_mistakes(record_of(Report{report.files, false}).files, document);
   document["exit"] = static_cast<int>(exit_code(report));
   return in_lines(document);
 }

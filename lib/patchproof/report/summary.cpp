@@ -60,14 +60,14 @@ std::string to_text(Outcome outcome) {
   }
 }
 
-Summary summary_of(const Report& report) {
+Summary summary_of(const RunRecord& run) {
   Summary summary;
-  for (const FileReport& file : report.files) {
+  for (const FileRecord& file : run.files) {
     summary.mistakes += file.diagnostics.size();
     if (!file.unreadable.empty()) ++summary.unreadable_files;
     summary.cases += file.cases.size();
-    for (const CaseResult& result : file.cases) {
-      for (const ClaimResult& claim : result.claims) {
+    for (const CaseRecord& of : file.cases) {
+      for (const ClaimRecord& claim : of.claims) {
         ++summary.claims;
         ++summary.outcomes[claim.outcome];
         if (claim.outcome != Outcome::as_expected) continue;

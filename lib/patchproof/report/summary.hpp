@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include <patchproof/report/report.hpp>
+#include <patchproof/report/record.hpp>
 
 namespace patchproof {
 
@@ -22,7 +22,7 @@ struct Summary {
   std::size_t unreadable_files = 0;
 };
 
-Summary summary_of(const Report& report);
+Summary summary_of(const RunRecord& run);
 
 /// One word for JSON: "as_expected", "wrong", …
 std::string to_text(Outcome outcome);

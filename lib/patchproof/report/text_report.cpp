@@ -4,11 +4,8 @@
 #include <map>
 
 #include <patchproof/language/utf8.hpp>
-#include <patchproof/report/audit_text.hpp>
 #include <patchproof/report/claim_lines.hpp>
 #include <patchproof/report/colour.hpp>
-#include <patchproof/report/excerpt.hpp>
-#include <patchproof/report/finding.hpp>
 #include <patchproof/report/summary.hpp>
 #include <patchproof/report/verdict_words.hpp>
 
@@ -21,10 +18,9 @@ constexpr std::size_t widest_id = 60;
 constexpr std::size_t most_findings_of_a_family = 3;
 
 // The words after `show`, in one line.
-std::string joint_as_written(const ShownResult& shown) {
-  const std::string all = as_written(shown.joint->span);
+std::string joint_as_written(const ShownRecord& shown) {
   std::string text;
-  for (const char c : all) {
+  for (const char c : shown.term) {
     const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
     if (!blank || (!text.empty() && text.back() != ' ')) text += blank ? ' ' : c;
   }
@@ -33,81 +29,80 @@ std::string joint_as_written(const ShownResult& shown) {
 
 class TextReport {
  public:
-  TextReport(const Report& report, const ReportStyle& style) : report_{report}, style_{style} {
-    for_each_case([&](const CaseResult& result) {
-      for (const ClaimLine& line : lines_of(result))
+  TextReport(const RunRecord& run, const ReportStyle& style) : run_{run}, style_{style} {
+    for_each_case([&](const CaseRecord& of) {
+      for (const ClaimLine& line : lines_of(of))
         width_ = std::max(width_, std::min(line.id.size(), widest_id));
     });
   }
 
   std::string text() {
     if (style_.verbosity != Verbosity::quiet)
-      for_each_case([&](const CaseResult& result) { case_lines(result); });
-    for_each_case([&](const CaseResult& result) { findings(result); });
-    for (const FileReport& file : report_.files)
-      for (const CaseAudit& audit : file.audits) audit_lines(audit);
+      for_each_case([&](const CaseRecord& of) { case_lines(of); });
+    for_each_case([&](const CaseRecord& of) { findings(of); });
+    for_each_case([&](const CaseRecord& of) {
+      if (of.audit) audit_lines(*of.audit);
+    });
     if (!text_.empty()) text_ += "\n";
-    const std::string summary = in_words(summary_of(report_));
+    const std::string summary = in_words(summary_of(run_));
     return text_ + (style_.colour ? bold(summary) : summary) + "\n";
   }
 
  private:
   template <typename Action>
   void for_each_case(const Action& action) const {
-    for (const FileReport& file : report_.files)
-      for (const CaseResult& result : file.cases) action(result);
+    for (const FileRecord& file : run_.files)
+      for (const CaseRecord& of : file.cases) action(of);
   }
 
   bool verbose() const { return style_.verbosity == Verbosity::verbose; }
 
-  void audit_lines(const CaseAudit& audit) {
-    const std::string text = audit_text(audit, style_.verbosity == Verbosity::quiet);
+  void audit_lines(const AuditRecord& audit) {
+    const std::string& text = style_.verbosity == Verbosity::quiet ? audit.flagged : audit.text;
     if (!text.empty()) text_ += (text_.empty() ? "" : "\n") + text;
   }
 
-  std::vector<ClaimLine> lines_of(const CaseResult& result) const {
-    if (!verbose()) return claim_lines(result, report_.strict);
+  std::vector<ClaimLine> lines_of(const CaseRecord& of) const {
+    if (!verbose()) return claim_lines(of, run_.strict);
     std::vector<ClaimLine> lines;
-    for (const ClaimResult& claim : result.claims)
-      lines.push_back({claim_id(result.verified, claim.claim), &claim, 1});
+    for (const ClaimRecord& claim : of.claims) lines.push_back({claim.id, &claim, 1});
     return lines;
   }
 
-  void case_lines(const CaseResult& result) {
-    const Case& verified = result.verified;
+  void case_lines(const CaseRecord& of) {
     if (verbose()) {
       if (!text_.empty()) text_ += "\n";
-      text_ += verified.name;
-      if (!verified.title.empty()) text_ += ": " + printable(verified.title);
+      text_ += of.name;
+      if (!of.title.empty()) text_ += ": " + printable(of.title);
       text_ += "\n";
     }
-    for (const ClaimLine& line : lines_of(result)) claim_line(line);
-    for (const ShownResult& shown : result.shown)
+    for (const ClaimLine& line : lines_of(of)) claim_line(line);
+    for (const ShownRecord& shown : of.shown)
       text_ += "  show  " + (shown.instance.empty() ? "" : shown.instance + "  ") +
                (shown.joint ? joint_as_written(shown) + ": " : shown.term + " = ") + shown.value +
                "\n";
   }
 
   void claim_line(const ClaimLine& line) {
-    const ClaimResult& result = *line.result;
-    const bool attention = needs_attention(result, report_.strict);
-    std::string verdict = verdict_line(result.decision);
+    const ClaimRecord& claim = *line.claim;
+    const bool attention = needs_attention(claim, run_.strict);
+    std::string verdict = verdict_line(claim.decision);
     const std::size_t gap = line.id.size() < width_ ? width_ - line.id.size() : 0;
     if (style_.colour) {
-      const bool conditional = attention && result.outcome == Outcome::as_expected;
-      verdict = coloured(verdict, conditional ? Outcome::vacuous : result.outcome);
+      const bool conditional = attention && claim.outcome == Outcome::as_expected;
+      verdict = coloured(verdict, conditional ? Outcome::vacuous : claim.outcome);
     }
     text_ += (attention ? "! " : "  ") + line.id + std::string(gap + 2, ' ') + verdict;
-    if (result.outcome == Outcome::wrong)
-      text_ += "  (expected " + expected_verdict(result.claim.expectation) + ")";
+    if (claim.outcome == Outcome::wrong)
+      text_ += "  (expected " + expected_verdict(claim.expectation) + ")";
     if (line.instances > 1) text_ += "  (" + std::to_string(line.instances) + " instances)";
     text_ += "\n";
-    if (verbose()) details(result);
+    if (verbose()) details(claim);
   }
 
-  void details(const ClaimResult& result) {
-    const Decision& decision = result.decision;
-    text_ += "      " + std::to_string(result.time.count() / 1000) + " ms";
+  void details(const ClaimRecord& claim) {
+    const Decision& decision = claim.decision;
+    text_ += "      " + std::to_string(claim.time.count() / 1000) + " ms";
     if (decision.evidence != Evidence::none) text_ += ", " + to_text(decision.evidence);
     if (!decision.certificate.empty()) text_ += " (" + decision.certificate + ")";
     std::string used;
@@ -126,25 +121,25 @@ class TextReport {
     if (!decision.reason.empty()) text_ += "      " + printable(decision.reason) + "\n";
   }
 
-  void findings(const CaseResult& result) {
+  void findings(const CaseRecord& of) {
     // Keyed by place and label: what makes a family.
-    std::map<std::pair<std::size_t, std::string>, std::size_t> told;
+    std::map<std::pair<FilePlace, std::string>, std::size_t> told;
     std::size_t left_out = 0;
-    for (const ClaimResult& claim : result.claims) {
-      if (!needs_attention(claim, report_.strict)) continue;
-      if (++told[{claim.claim.span.begin, claim.claim.label}] > most_findings_of_a_family) {
+    for (const ClaimRecord& claim : of.claims) {
+      if (!needs_attention(claim, run_.strict)) continue;
+      if (++told[{claim.place, claim.label}] > most_findings_of_a_family) {
         ++left_out;
         continue;
       }
       if (!text_.empty()) text_ += "\n";
-      text_ += finding(result.verified, claim);
+      text_ += claim.finding;
     }
     if (left_out > 0)
-      text_ += "\n" + result.verified.name + ": " + std::to_string(left_out) +
+      text_ += "\n" + of.name + ": " + std::to_string(left_out) +
                " more of the same families need attention\n";
   }
 
-  const Report& report_;
+  const RunRecord& run_;
   const ReportStyle& style_;
   std::size_t width_ = 0;
   std::string text_;
@@ -152,16 +147,18 @@ class TextReport {
 
 }  // namespace
 
-std::string text_report(const Report& report, const ReportStyle& style) {
-  return TextReport{report, style}.text();
+std::string text_report(const RunRecord& run, const ReportStyle& style) {
+  return TextReport{run, style}.text();
 }
 
-std::string mistakes(const Report& report) {
+std::string mistakes(const Report& report) { return mistakes(record_of(report)); }
+
+std::string mistakes(const RunRecord& run) {
   std::string text;
-  for (const FileReport& file : report.files) {
+  for (const FileRecord& file : run.files) {
     if (!file.unreadable.empty())
       text += "patchproof: cannot read '" + printable(file.path) + "': " + file.unreadable + "\n";
-    for (const Diagnostic& diagnostic : file.diagnostics) text += to_text(diagnostic);
+    for (const DiagnosticRecord& diagnostic : file.diagnostics) text += diagnostic.text;
   }
   return text;
 }

@@ -10,10 +10,11 @@ namespace patchproof {
 /// those that need attention, then a line of numbers.
 ///
 /// What is wrong with the texts themselves is not in it: `mistakes` has that.
-std::string text_report(const Report& report, const ReportStyle& style);
+std::string text_report(const RunRecord& run, const ReportStyle& style);
 
 /// What is wrong with the files of the report, one message after the other:
 /// "patchproof: cannot read 'a.proof': No such file or directory", "a.proof:3:24: error: …".
+std::string mistakes(const RunRecord& run);
 std::string mistakes(const Report& report);
 
 }  // namespace patchproof

@@ -1,0 +1,62 @@
+#include <catch2/catch.hpp>
+
+#include <patchproof/patchproof.hpp>
+#include <patchproof/report/claim_json.hpp>
+#include <patchproof/report/merge.hpp>
+
+namespace patchproof {
+
+namespace {
+
+const std::string text =
+    "case c\n  param u, v in [0, 1]\n  scalar a, b, x, y\n  point V[0..1]\n"
+    "  assume apart: a != b\n  patch r(u, v) = (u, v, u*v)\n"
+    "  prove quotient: (a^2 - b^2)/(a - b) == a + b\n  prove wrong: a == b\n"
+    "  prove bound: u^2 - u + 1 > 0\n  derive free: x, y from x + y == a gives 0, a\n"
+    "  derive none: x from 0*x == 1 inconsistent\n"
+    "  erratum e\n    printed a == b\n    corrected a == a\n    note \"a slip\"\n  end\n"
+    "  prove conditional: a*x/x == a\n"
+    "  show a + a\n  show joint of r at u = 0 and r at u = 1\nend\n"
+    "case d\n  scalar a\n  prove missing: a ==\nend\n";
+
+}  // namespace
+
+TEST_CASE("claims that were read back are written as they were", "[law]") {
+  const RunRecord run = record_of(check({{"a.proof", text, ""}, {"b.proof", std::nullopt, "why"}}));
+  std::size_t claims = 0;
+  for (const CaseRecord& of : run.files.front().cases) {
+    for (const ClaimRecord& claim : of.claims) {
+      const Json object = to_json(claim, of.name);
+      CHECK(to_json(claim_from(object), of.name) == object);
+      ++claims;
+    }
+    for (const ShownRecord& shown : of.shown)
+      CHECK(to_json(shown_from(to_json(shown, of.name)), of.name) == to_json(shown, of.name));
+  }
+  CHECK(claims >= 5);
+  const std::string written_run = written(run, "json", {});
+  const ReadReport back = report_from_json("r", written_run);
+  CHECK(written(back.run, "json", {}) == written_run);
+  CHECK(exit_code(back.run) == exit_code(run));
+}
+
+TEST_CASE("what no report says is not read") {
+  const RunRecord run = record_of(check({{"a.proof", text, ""}}));
+  const Json good = to_json(run.files.front().cases.front().claims.front(), "c");
+  for (const auto& [member, value] : {std::pair{"verdict", Json("TRUE")},
+                                      {"outcome", Json("well")},
+                                      {"evidence", Json("hearsay")},
+                                      {"line", Json("one")},
+                                      {"conditions", Json("a")},
+                                      {"expectation", Json(nullptr)}}) {
+    Json bad = good;
+    bad[member] = value;
+    INFO(member);
+    CHECK_THROWS(claim_from(bad));
+  }
+  Json less = good;
+  less.erase("verdict");
+  CHECK_THROWS(claim_from(less));
+}
+
+}  // namespace patchproof

@@ -1,0 +1,164 @@
+#include <unistd.h>
+#include <verify/open_file.hpp>
+#include <verify/paths.hpp>
+
+#include <algorithm>
+
+#include <patchproof/report/claim_json.hpp>
+
+namespace patchproof {
+
+namespace {
+
+// Limits of time are kept by whoever works; a claim on which that does not happen is given up after
+// this many seconds.
+unsigned most_seconds(const Limits& limits) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(limits.time).count();
+  constexpr long most = 1'000'000;
+  return seconds == 0 && limits.time.count() == 0
+             ? 0
+             : static_cast<unsigned>(3 * std::min<long>(seconds, most) + 10);
+}
+
+}  // namespace
+
+Input input_of(const Work& work, std::size_t file) {
+  const auto known = work.known.find(file);
+  if (known != work.known.end()) return known->second;
+  return input_at(work.paths[file]);
+}
+
+OpenFile::OpenFile(const Work& work, std::size_t file)
+    : work_{work},
+      number_{file},
+      file_{std::move(read_files({input_of(work, file)}, work.options).front())} {
+  for (const Case& of : file_.cases) {
+    verifiers_.push_back(std::make_unique<CaseVerifier>(
+        of, work.options.engines, [&of] { ::alarm(most_seconds(of.limits)); }));
+    results_.push_back({work.whole_files() ? of : Case{}, {}, {}});
+  }
+  for (std::size_t of = 0; of < file_.cases.size(); ++of) add_items(of);
+  std::stable_sort(items_.begin(), items_.end(),
+                   [](const Item& a, const Item& b) { return a.kind < b.kind; });
+}
+
+void OpenFile::add_items(std::size_t of) {
+  const Case& given = file_.cases[of];
+  const std::size_t before = items_.size();
+  std::size_t claims = 0;
+  for (std::size_t k = 0; k < given.claims.size(); ++k) {
+    if (!work_.selection.contains(given, given.claims[k])) continue;
+    if (work_.shard.contains(claim_id(given, given.claims[k])))
+      items_.push_back({Item::Kind::claim, of, k, claims});
+    ++claims;
+  }
+  // A case nothing was asked of is left out. What is not about single claims is in one shard.
+  const bool asked = work_.selection.everything() || claims > 0;
+  const bool own = asked && work_.shard.contains(given.name);
+  shares_.push_back({asked, own || items_.size() > before, claims});
+  if (!own) return;
+  for (std::size_t k = 0; k < given.shown.size(); ++k)
+    items_.push_back({Item::Kind::shown, of, k, 0});
+  if (work_.options.audit && !given.assumptions.empty())
+    items_.push_back({Item::Kind::audit, of, 0, 0});
+  if (work_.checked) items_.push_back({Item::Kind::certified, of, 0, 0});
+}
+
+Message OpenFile::description() const {
+  std::vector<const Case*> all;
+  for (const Case& of : file_.cases) all.push_back(&of);
+  Message message;
+  message["unreadable"] = file_.unreadable;
+  message["diagnostics"] = Message::array();
+  for (const Diagnostic& diagnostic : file_.diagnostics) {
+    const DiagnosticRecord record = record_of(diagnostic);
+    Message one = to_json(record);
+    one["text"] = record.text;
+    message["diagnostics"].push_back(std::move(one));
+  }
+  message["cases"] = Message::array();
+  for (std::size_t of = 0; of < file_.cases.size(); ++of) {
+    const CaseRecord record = record_of(file_.cases[of]);
+    Message one{{"name", record.name}, {"title", record.title}, {"excerpt", record.excerpt}};
+    add_place(record.place, one);
+    one["in_run"] = shares_[of].in_run;
+    one["in_shard"] = shares_[of].in_shard;
+    one["claims"] = shares_[of].claims;
+    message["cases"].push_back(std::move(one));
+  }
+  message["unmatched"] = work_.selection.unmatched(all);
+  message["claims"] = std::count_if(items_.begin(), items_.end(), [](const Item& item) {
+    return item.kind == Item::Kind::claim;
+  });
+  message["items"] = items_.size();
+  return message;
+}
+
+Message OpenFile::item(std::size_t index, const std::string* lost) {
+  const Item& item = items_.at(index);
+  Message message;
+  switch (item.kind) {
+    case Item::Kind::claim:
+      message = claim(item, lost);
+      break;
+    case Item::Kind::shown:
+      message = shown(item, lost);
+      break;
+    case Item::Kind::audit:
+      message = audit(item, lost);
+      break;
+    case Item::Kind::certified:
+      message = certified(item, lost);
+      break;
+  }
+  ::alarm(0);
+  message["of"] = item.of;
+  message["item"] = index;
+  return message;
+}
+
+Message OpenFile::claim(const Item& item, const std::string* lost) {
+  const Case& of = file_.cases[item.of];
+  ClaimResult result;
+  if (lost == nullptr) {
+    result = verifiers_[item.of]->decided(item.index);
+  } else {
+    result.claim = of.claims[item.index];
+    result.decision.reason = *lost;
+    result.outcome = Outcome::unknown;
+  }
+  const ClaimRecord record = record_of(of, result);
+  if (work_.whole_files()) results_[item.of].claims.push_back(std::move(result));
+  return {{"claim", to_json(record, of.name)},
+          {"time", record.time.count()},
+          {"position", item.position}};
+}
+
+Message OpenFile::shown(const Item& item, const std::string* lost) {
+  const Case& of = file_.cases[item.of];
+  ::alarm(most_seconds(of.limits));
+  ShownResult result{of.shown[item.index].span, of.shown[item.index].instance, "", "", {}};
+  if (lost == nullptr)
+    result = verifiers_[item.of]->described(item.index);
+  else
+    result.value = *lost;
+  return {{"shown", to_json(record_of(result), of.name)}};
+}
+
+Message OpenFile::audit(const Item& item, const std::string* lost) const {
+  if (lost != nullptr) return Message::object();
+  const AuditRecord record = record_of(audited(file_.cases[item.of], results_[item.of]));
+  return {{"audit",
+           {{"text", record.text},
+            {"flagged", record.flagged},
+            {"json", record.json},
+            {"has_flagged", record.has_flagged}}}};
+}
+
+Message OpenFile::certified(const Item& item, const std::string* lost) const {
+  if (lost != nullptr) return Message::object();
+  const CertifiedClaims certified = certified_claims(*work_.checked, results_[item.of]);
+  return {{"certified", certified.ids}, {"by", certified.by}};
+}
+
+}  // namespace patchproof
