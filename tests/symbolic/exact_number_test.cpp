@@ -17,8 +17,8 @@ TEST_CASE("numbers of any length pass between the engines unchanged", "[law]") {
     const Integer top{digits};
     const Rational number{round % 2 == 0 ? top : -top, Integer{7}};
     const std::string sign = round % 2 == 0 ? "" : "-";
-    const Integer numerator = boost::multiprecision::numerator(number);
-    const Integer denominator = boost::multiprecision::denominator(number);
+    const Integer numerator = numerator(number);
+    const Integer denominator = denominator(number);
     const std::string expected =
         numerator.str() + (denominator == 1 ? "" : "/" + denominator.str());
     CHECK(text(exact(number)) == expected);

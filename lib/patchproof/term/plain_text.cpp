@@ -67,8 +67,8 @@ class Writer {
 void Writer::write_number(const Rational& number) {
   if (number < 0 && !minus_done_) put("-");
   if (number < 0) minus_done_ = false;
-  text_.put_digits(boost::multiprecision::abs(boost::multiprecision::numerator(number)));
-  const Integer denominator = boost::multiprecision::denominator(number);
+  text_.put_digits(boost::multiprecision::abs(numerator(number)));
+  const Integer denominator = denominator(number);
   if (denominator == 1 || full()) return;
   put("/");
   text_.put_digits(denominator);
