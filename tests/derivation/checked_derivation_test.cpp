@@ -64,8 +64,8 @@ std::optional<Term> summand_dropped(const Term& node) {
 
 std::optional<Term> number_changed(const Term& node) {
   if (!node.is_number() || node.number() == 0) return std::nullopt;
-  const Integer above = boost::multiprecision::numerator(node.number());
-  const Integer below = boost::multiprecision::denominator(node.number());
+  const Integer above = numerator(node.number());
+  const Integer below = denominator(node.number());
   return below == 1 ? number_term(node.number() + 1) : number_term(Rational{above, below + 1});
 }
 

@@ -17,10 +17,10 @@ TEST_CASE("numbers of any length pass between the engines unchanged", "[law]") {
     const Integer top{digits};
     const Rational number{round % 2 == 0 ? top : -top, Integer{7}};
     const std::string sign = round % 2 == 0 ? "" : "-";
-    const Integer numerator = boost::multiprecision::numerator(number);
-    const Integer denominator = boost::multiprecision::denominator(number);
+    const Integer above = numerator(number);
+    const Integer below = denominator(number);
     const std::string expected =
-        numerator.str() + (denominator == 1 ? "" : "/" + denominator.str());
+        above.str() + (below == 1 ? "" : "/" + below.str());
     CHECK(text(exact(number)) == expected);
   }
   CHECK(text(exact(Rational{-3, 6})) == "-1/2");

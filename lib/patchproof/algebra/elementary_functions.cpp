@@ -28,15 +28,15 @@ Integer shifted(const Integer& x, unsigned p) {
 
 // The binary digits before the point of |x|.
 unsigned whole_bits(const Rational& x) {
-  const Integer whole = boost::multiprecision::abs(boost::multiprecision::numerator(x)) /
-                        boost::multiprecision::denominator(x);
+  const Integer whole = boost::multiprecision::abs(numerator(x)) /
+                        denominator(x);
   if (whole == 0) return 0;
   return static_cast<unsigned>(std::min<std::size_t>(boost::multiprecision::msb(whole) + 1, ~0U));
 }
 
 // x * 2^p cut towards zero: an error of less than 1.
 Integer fixed_point(const Rational& x, unsigned p) {
-  return Integer{boost::multiprecision::numerator(x) << p} / boost::multiprecision::denominator(x);
+  return Integer{numerator(x) << p} / denominator(x);
 }
 
 void require_bits(unsigned bits) {
@@ -152,7 +152,7 @@ Enclosure wave(const Enclosure& x, unsigned shift, unsigned bits) {
   const Enclosure quarters = rounded(x / half_pi, bits + guard);
   const Rational first = rounded({quarters.low, quarters.low}, 0).high;
   for (Rational n = first; n <= quarters.high; n += 1) {
-    int phase = static_cast<int>(Integer{boost::multiprecision::numerator(n) % 4});
+    int phase = static_cast<int>(Integer{numerator(n) % 4});
     phase = ((phase + static_cast<int>(shift)) % 4 + 4) % 4;
     if (phase == 1) result.high = 1;
     if (phase == 3) result.low = -1;
@@ -186,7 +186,7 @@ Enclosure exponential_at(const Rational& x, unsigned bits) {
   if (x == 0) return exactly(1);
   const unsigned halvings = whole_bits(x) + 8;
   const Rational size = rounded(exactly(x > 0 ? Rational{x * 3 / 2} : Rational{0}), 0).high;
-  const unsigned growth = static_cast<unsigned>(boost::multiprecision::numerator(size));
+  const unsigned growth = static_cast<unsigned>(numerator(size));
   const unsigned p = bits + growth + halvings + guard;
   const Integer scale = Integer{1} << halvings;
   Ball value = exponential_series(fixed_point(x / scale, p), p);
@@ -217,8 +217,8 @@ Enclosure square_root(const Enclosure& x, unsigned bits) {
   if (x.high < 0) throw std::domain_error{"the square root of a negative number"};
   Integer top;
   Integer bottom;
-  if (x.low == x.high && is_square(boost::multiprecision::numerator(x.low), top) &&
-      is_square(boost::multiprecision::denominator(x.low), bottom)) {
+  if (x.low == x.high && is_square(numerator(x.low), top) &&
+      is_square(denominator(x.low), bottom)) {
     return exactly(Rational{top, bottom});
   }
   // The whole root s of n has s <= sqrt(n) < s + 1, here with n = x * 4^p rounded outward.
@@ -226,9 +226,9 @@ Enclosure square_root(const Enclosure& x, unsigned bits) {
   const Enclosure scaled = rounded(
       {std::max(x.low, Rational{0}) * (Integer{1} << (2 * p)), x.high * (Integer{1} << (2 * p))},
       0);
-  const Integer low = boost::multiprecision::sqrt(boost::multiprecision::numerator(scaled.low));
+  const Integer low = boost::multiprecision::sqrt(numerator(scaled.low));
   Integer high;
-  if (!is_square(boost::multiprecision::numerator(scaled.high), high)) ++high;
+  if (!is_square(numerator(scaled.high), high)) ++high;
   const Integer scale = Integer{1} << p;
   return {Rational{low, scale}, Rational{high, scale}};
 }

@@ -7,16 +7,7 @@ namespace patchproof {
 
 namespace {
 
-// Division of whole numbers in Boost cuts towards zero; bounds need the floor.
-Integer floor_of(const Rational& number) {
-  const Integer top = boost::multiprecision::numerator(number);
-  const Integer bottom = boost::multiprecision::denominator(number);
-  Integer quotient = top / bottom;
-  if (top < 0 && quotient * bottom != top) --quotient;
-  return quotient;
-}
-
-Integer ceiling_of(const Rational& number) { return -floor_of(-number); }
+Integer ceiling(const Rational& number) { return -floor(-number); }
 
 Integer power_of_ten(unsigned digits) { return boost::multiprecision::pow(Integer{10}, digits); }
 
@@ -78,9 +69,8 @@ Enclosure power(const Enclosure& base, long exponent) {
 }
 
 Enclosure rounded(const Enclosure& enclosure, unsigned bits) {
-  const Integer scale = Integer{1} << bits;
-  return {Rational{floor_of(enclosure.low * scale), scale},
-          Rational{ceiling_of(enclosure.high * scale), scale}};
+  const Rational scale = power(Rational{2}, static_cast<long>(bits));
+  return {floor(enclosure.low * scale) / scale, ceiling(enclosure.high * scale) / scale};
 }
 
 std::optional<int> sign(const Enclosure& enclosure) {
@@ -94,12 +84,12 @@ std::string to_decimal(const Enclosure& enclosure, unsigned digits) {
   const Rational scale{power_of_ten(digits)};
   const Rational low = enclosure.low * scale;
   const Rational high = enclosure.high * scale;
-  const bool whole = boost::multiprecision::denominator(low) == 1;
-  if (low == high && whole) return without_final_zeros(with_point(floor_of(low), digits));
+  const bool whole = denominator(low) == 1;
+  if (low == high && whole) return without_final_zeros(with_point(floor(low), digits));
 
   // Digits towards zero: what a reader expects of "-0.333…".
-  const std::string left = with_point(low < 0 ? ceiling_of(low) : floor_of(low), digits);
-  const std::string right = with_point(high < 0 ? ceiling_of(high) : floor_of(high), digits);
+  const std::string left = with_point(low < 0 ? ceiling(low) : floor(low), digits);
+  const std::string right = with_point(high < 0 ? ceiling(high) : floor(high), digits);
   const std::string minus = enclosure.high < 0 ? "-" : "";
   const std::string a = left.substr(left[0] == '-' ? 1 : 0);
   const std::string b = right.substr(right[0] == '-' ? 1 : 0);
@@ -115,8 +105,8 @@ std::string to_decimal(const Enclosure& enclosure, unsigned digits) {
   if (shared >= least && (same_sign || (all_zeros && digits > 0))) {
     return minus + a.substr(0, shared) + "…";
   }
-  return "[" + without_final_zeros(with_point(floor_of(low), digits)) + ", " +
-         without_final_zeros(with_point(ceiling_of(high), digits)) + "]";
+  return "[" + without_final_zeros(with_point(floor(low), digits)) + ", " +
+         without_final_zeros(with_point(ceiling(high), digits)) + "]";
 }
 
 }  // namespace patchproof

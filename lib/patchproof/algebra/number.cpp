@@ -1,6 +1,8 @@
 #include <patchproof/algebra/number.hpp>
 
 #include <algorithm>
+#include <bit>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -52,37 +54,41 @@ std::optional<Rational> number_from_text(std::string_view text) {
 }
 
 std::string to_text(const Rational& number) {
-  const Integer denominator = boost::multiprecision::denominator(number);
-  std::string text = boost::multiprecision::numerator(number).str();
-  if (denominator != 1) text += "/" + denominator.str();
+  const Integer bottom = denominator(number);
+  std::string text = numerator(number).str();
+  if (bottom != 1) text += "/" + bottom.str();
   return text;
 }
 
 std::size_t bit_length(const Rational& number) {
-  if (number == 0) return 0;
-  const Integer numerator = boost::multiprecision::abs(boost::multiprecision::numerator(number));
-  return std::max(bit_length(numerator), bit_length(boost::multiprecision::denominator(number)));
+  if (number.is_small()) {
+    const auto [top, bottom] = number.words();
+    return static_cast<std::size_t>(
+        top == 0 ? 0 : std::bit_width(static_cast<std::uint64_t>(std::max(std::abs(top), bottom))));
+  }
+  const Integer top = boost::multiprecision::abs(numerator(number));
+  return std::max(bit_length(top), bit_length(denominator(number)));
 }
 
 Rational power(const Rational& base, long exponent) {
   if (exponent < 0 && base == 0) throw std::domain_error{"a negative power of zero"};
   // Squaring of numerator and denominator apart: a power of a fraction in lowest terms is in
   // lowest terms, so nothing has to be cancelled on the way.
-  Integer numerator = boost::multiprecision::numerator(base);
-  Integer denominator = boost::multiprecision::denominator(base);
+  Integer above = numerator(base);
+  Integer below = denominator(base);
   Integer top = 1;
   Integer bottom = 1;
   unsigned long rest = exponent < 0 ? 0UL - static_cast<unsigned long>(exponent)
                                     : static_cast<unsigned long>(exponent);
   while (rest != 0) {
     if ((rest & 1U) != 0) {
-      top *= numerator;
-      bottom *= denominator;
+      top *= above;
+      bottom *= below;
     }
     rest >>= 1U;
     if (rest != 0) {
-      numerator *= numerator;
-      denominator *= denominator;
+      above *= above;
+      below *= below;
     }
   }
   if (exponent < 0) {
@@ -93,7 +99,7 @@ Rational power(const Rational& base, long exponent) {
     }
   }
   // Boost looks for a common divisor even of a whole number and 1, in quadratic time.
-  if (bottom == 1) return Rational{top};
+  if (bottom == 1) return top;
   return Rational{top, bottom};
 }
 

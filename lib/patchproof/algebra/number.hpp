@@ -1,17 +1,12 @@
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include <patchproof/algebra/rational.hpp>
+
 namespace patchproof {
-
-/// A whole number of any size.
-using Integer = boost::multiprecision::cpp_int;
-
-/// An exact fraction of whole numbers, always in lowest terms with a positive denominator.
-using Rational = boost::multiprecision::cpp_rational;
 
 /// The most digits a number may have in a case file; longer text is rejected, not read slowly.
 inline constexpr std::size_t longest_number = 10'000;

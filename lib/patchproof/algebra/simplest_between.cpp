@@ -24,10 +24,10 @@ Rational from_quotients(const std::vector<Integer>& quotients) {
 // is left. On numerators and denominators, so that nothing is ever cancelled; x/0 is infinity.
 Rational simplest_positive(const Rational& low, bool low_strict,
                            const std::optional<Rational>& high, bool high_strict) {
-  Integer low_top = boost::multiprecision::numerator(low);
-  Integer low_bottom = boost::multiprecision::denominator(low);
-  Integer high_top = high ? Integer{boost::multiprecision::numerator(*high)} : Integer{1};
-  Integer high_bottom = high ? Integer{boost::multiprecision::denominator(*high)} : Integer{0};
+  Integer low_top = numerator(low);
+  Integer low_bottom = denominator(low);
+  Integer high_top = high ? Integer{numerator(*high)} : Integer{1};
+  Integer high_bottom = high ? Integer{denominator(*high)} : Integer{0};
   std::vector<Integer> quotients;
   while (true) {
     const Integer whole = low_top / low_bottom;

@@ -5,8 +5,8 @@ namespace patchproof {
 namespace {
 
 std::string rational(const Rational& q) {
-  return "(" + boost::multiprecision::numerator(q).str() + " # " +
-         boost::multiprecision::denominator(q).str() + ")";
+  return "(" + numerator(q).str() + " # " +
+         denominator(q).str() + ")";
 }
 
 std::string combination(const Combination& combination, Scalars& scalars, RocqTwin& twin,

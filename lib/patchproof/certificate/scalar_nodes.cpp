@@ -23,8 +23,8 @@ ScalarPointer scalar_number(const Rational& number) {
     node.number = n;
     return scalar(std::move(node));
   };
-  const ScalarPointer above = whole(boost::multiprecision::numerator(number));
-  const Integer below = boost::multiprecision::denominator(number);
+  const ScalarPointer above = whole(numerator(number));
+  const Integer below = denominator(number);
   return below == 1 ? above : scalar_pair(Scalar::Kind::quotient, above, whole(below));
 }
 

@@ -2,23 +2,12 @@
 
 namespace patchproof {
 
-namespace {
-
-// The greatest whole number that is not above the fraction; the divisor is positive.
-Integer floor_of(const Integer& dividend, const Integer& divisor) {
-  Integer result = dividend / divisor;
-  if (dividend < 0 && result * divisor != dividend) --result;
-  return result;
-}
-
-}  // namespace
-
 std::string decimal(const Rational& number, unsigned digits) {
   Integer unit = 1;
   for (unsigned k = 0; k < digits; ++k) unit *= 10;
   const bool negative = number < 0;
   const Rational scaled = (negative ? Rational{-number} : number) * unit + Rational{1, 2};
-  const Integer units = floor_of(numerator(scaled), denominator(scaled));
+  const Integer units = floor(scaled);
   std::string text = units.str();
   if (text.size() <= digits) text.insert(0, digits + 1 - text.size(), '0');
   if (digits > 0) {
@@ -30,9 +19,9 @@ std::string decimal(const Rational& number, unsigned digits) {
 }
 
 Rational rounded(const Rational& number, unsigned bits) {
-  const Integer unit = Integer{1} << bits;
+  const Rational unit = power(Rational{2}, static_cast<long>(bits));
   const Rational scaled = number * unit + Rational{1, 2};
-  return Rational{floor_of(numerator(scaled), denominator(scaled)), unit};
+  return Rational{floor(scaled)} / unit;
 }
 
 }  // namespace patchproof

@@ -46,8 +46,8 @@ long trial_limit(const cln::cl_I& number) {
 }  // namespace
 
 numeric exact(const Rational& number) {
-  const Integer top = boost::multiprecision::numerator(number);
-  const Integer bottom = boost::multiprecision::denominator(number);
+  const Integer top = numerator(number);
+  const Integer bottom = denominator(number);
   return numeric{whole(top)} / numeric{whole(bottom)};
 }
 

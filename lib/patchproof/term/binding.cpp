@@ -32,7 +32,7 @@ Binding binding(const Term& function_or_value) {
   switch (term.operation()) {
     case Operation::number:
       if (term.number() < 0) return Binding::sum;
-      return boost::multiprecision::denominator(term.number()) == 1 ? Binding::primary
+      return denominator(term.number()) == 1 ? Binding::primary
                                                                     : Binding::product;
     case Operation::sum:
     case Operation::negation:

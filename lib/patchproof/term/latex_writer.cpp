@@ -13,8 +13,8 @@ bool is_tall(const std::string& text) {
 }
 
 std::string number_text(const Rational& number) {
-  const Integer above = boost::multiprecision::numerator(number);
-  const Integer below = boost::multiprecision::denominator(number);
+  const Integer above = numerator(number);
+  const Integer below = denominator(number);
   if (below == 1) return above.str();
   const Integer size = boost::multiprecision::abs(above);
   return std::string{above < 0 ? "-" : ""} + "\\tfrac{" + size.str() + "}{" + below.str() + "}";

@@ -67,11 +67,11 @@ class Writer {
 void Writer::write_number(const Rational& number) {
   if (number < 0 && !minus_done_) put("-");
   if (number < 0) minus_done_ = false;
-  text_.put_digits(boost::multiprecision::abs(boost::multiprecision::numerator(number)));
-  const Integer denominator = boost::multiprecision::denominator(number);
-  if (denominator == 1 || full()) return;
+  text_.put_digits(boost::multiprecision::abs(numerator(number)));
+  const Integer below = denominator(number);
+  if (below == 1 || full()) return;
   put("/");
-  text_.put_digits(denominator);
+  text_.put_digits(below);
 }
 
 void Writer::write_summand(const Term& function_or_value, bool first) {
