@@ -2,7 +2,7 @@
 # Everything is built by CMake (CMakePresets.json) below build/.
 
 packages      := g++ cmake ninja-build pkg-config libginac-dev libcln-dev libboost-dev \
-                 libcli11-dev libfmt-dev nlohmann-json3-dev
+                 libcli11-dev libfmt-dev nlohmann-json3-dev libmimalloc-dev
 tex_packages  := texlive-luatex texlive-latex-recommended texlive-pictures latexmk fonts-cmu \
                  texlive-lang-czechslovak texlive-lang-european texlive-lang-cyrillic \
                  poppler-utils librsvg2-bin

@@ -45,20 +45,29 @@ void check(const BasisFunction& basis) {
 ex bernstein(Ring& ring, int degree, int index, const ex& t) {
   if (index < 0 || index > degree) return 0;
   if (degree > highest_degree) throw OverBudget{"a Bernstein polynomial of too high a degree"};
-  const ex x = placeholder(ring, 0);
-  const auto size = static_cast<std::size_t>(index) + 1;
-  // Entry i of row k is B_i^k; only entries that reach the wanted one are computed.
-  std::vector<ex> row(size, 0);
-  row[0] = 1;
+  using Coefficients = std::vector<numeric>;
+  // Entry i of row k is B_i^k by its coefficients, lowest first; only entries that reach the wanted
+  // one are computed.
+  std::vector<Coefficients> row(static_cast<std::size_t>(index) + 1);
+  row[0] = {1};
   for (int k = 1; k <= degree; ++k) {
     const int first = std::max(0, index - (degree - k));
     for (int i = std::min(k, index); i >= first; --i) {
       const auto entry = static_cast<std::size_t>(i);
-      const ex left = i > 0 ? ring.product(x, row[entry - 1]) : ex{0};
-      row[entry] = ring.sum({ring.product(1 - x, row[entry]), left});
+      Coefficients& own = row[entry];
+      ring.spend(static_cast<std::uint64_t>(k));
+      own.resize(static_cast<std::size_t>(k) + 1, 0);
+      for (std::size_t power = own.size(); power-- > 0;) {
+        if (power > 0) own[power] = own[power] - own[power - 1];
+        if (power > 0 && i > 0) own[power] = own[power] + row[entry - 1][power - 1];
+      }
     }
   }
-  return at(ring, row.back(), t);
+  const ex x = placeholder(ring, 0);
+  GiNaC::exvector parts;
+  for (std::size_t power = 0; power < row.back().size(); ++power)
+    parts.push_back(row.back()[power] * GiNaC::pow(x, numeric{static_cast<long>(power)}));
+  return at(ring, ring.sum(parts), t);
 }
 
 ex bspline_piece(Ring& ring, const BasisFunction& basis, const ex& t) {

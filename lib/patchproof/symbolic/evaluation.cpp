@@ -115,9 +115,12 @@ Components Evaluation::at(const Value& function, const Components& arguments) {
     throw std::domain_error{"a function at too few or too many arguments"};
   }
   Replacements replacements;
+  bool changed = false;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     replacements.atoms[function.formals[i]] = arguments[i];
+    changed = changed || !arguments[i].is_equal(ring_.atoms().symbol(function.formals[i]));
   }
+  if (!changed) return function.components;
   Substitution substitution{ring_, std::move(replacements)};
   Components result;
   for (const ex& component : function.components) result.push_back(substitution(component));

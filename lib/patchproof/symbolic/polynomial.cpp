@@ -11,17 +11,17 @@ namespace {
 
 using GiNaC::ex;
 using GiNaC::ex_to;
-using GiNaC::is_a;
+using GiNaC::is_exactly_a;
 using GiNaC::numeric;
 
 void multiply_by(const ex& factor, const Atoms& atoms, Summand& summand) {
-  if (is_a<numeric>(factor)) {
+  if (is_exactly_a<numeric>(factor)) {
     const numeric& number = ex_to<numeric>(factor);
     if (!is_exact(number)) throw std::logic_error{"a coefficient is not an exact number"};
     summand.coefficient *= number;
-  } else if (is_a<GiNaC::symbol>(factor)) {
+  } else if (is_exactly_a<GiNaC::symbol>(factor)) {
     summand.powers.emplace_back(atoms.id_of(factor), 1);
-  } else if (is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1)) &&
+  } else if (is_exactly_a<GiNaC::power>(factor) && is_exactly_a<numeric>(factor.op(1)) &&
              ex_to<numeric>(factor.op(1)).is_integer()) {
     summand.powers.emplace_back(atoms.id_of(factor.op(0)), ex_to<numeric>(factor.op(1)).to_long());
   } else {
@@ -31,7 +31,7 @@ void multiply_by(const ex& factor, const Atoms& atoms, Summand& summand) {
 
 Summand summand(const ex& term, const Atoms& atoms) {
   Summand result{1, {}};
-  if (is_a<GiNaC::mul>(term)) {
+  if (is_exactly_a<GiNaC::mul>(term)) {
     for (std::size_t i = 0; i < term.nops(); ++i) multiply_by(term.op(i), atoms, result);
   } else {
     multiply_by(term, atoms, result);
@@ -45,7 +45,7 @@ Summand summand(const ex& term, const Atoms& atoms) {
 std::vector<Summand> unordered_summands(const ex& polynomial, const Atoms& atoms) {
   std::vector<Summand> result;
   if (polynomial.is_zero()) return result;
-  if (!is_a<GiNaC::add>(polynomial)) {
+  if (!is_exactly_a<GiNaC::add>(polynomial)) {
     result.push_back(summand(polynomial, atoms));
     return result;
   }
@@ -95,7 +95,7 @@ std::map<Powers, ex> coefficients(const ex& polynomial, const Atoms& atoms,
 }
 
 std::size_t term_count(const ex& polynomial) {
-  if (is_a<GiNaC::add>(polynomial)) return polynomial.nops();
+  if (is_exactly_a<GiNaC::add>(polynomial)) return polynomial.nops();
   return polynomial.is_zero() ? 0 : 1;
 }
 

@@ -89,6 +89,12 @@ std::size_t multinomial_count(std::size_t terms, unsigned long exponent, std::si
   return result;
 }
 
+// Numbers of a word make coefficients only a little longer.
+bool is_small_number(const ex& factor) {
+  return GiNaC::is_exactly_a<numeric>(factor) &&
+         bit_length(GiNaC::ex_to<numeric>(factor)) <= 64;
+}
+
 std::pair<ex, ex> halves(const ex& polynomial) {
   const std::size_t middle = polynomial.nops() / 2;
   GiNaC::exvector first;
@@ -130,6 +136,10 @@ ex Ring::sum(const GiNaC::exvector& parts) {
 
 ex Ring::product(const ex& a, const ex& b) {
   if (a.is_zero() || b.is_zero()) return 0;
+  if (is_small_number(a) || is_small_number(b)) {
+    spend(steps_per_summand * (term_count(a) + term_count(b)));
+    return (a * b).expand();
+  }
   const Extent left = extent(a, atoms_);
   const Extent right = extent(b, atoms_);
   require_exponents(left, 2);
