@@ -5,6 +5,7 @@
 #include <patchproof/decide/guard.hpp>
 #include <patchproof/decide/sign_words.hpp>
 #include <patchproof/decide/witness_words.hpp>
+#include <patchproof/grid/grid_proof.hpp>
 #include <patchproof/kernel/identity.hpp>
 #include <patchproof/kernel/readable.hpp>
 #include <patchproof/kernel/witness.hpp>
@@ -173,11 +174,20 @@ Decision with_second_opinion(Decision decision, const Goal& goal, const Limits& 
   return decision;
 }
 
+// What is shown on a grid needs no fractions; everything else does.
+Decision decided_by_kernel(const Goal& goal, Workspace& workspace) {
+  if (!holds_on_grid(goal, workspace.budget)) return Identity{goal, workspace}.run();
+  Decision result;
+  result.verdict = Verdict::proved;
+  result.evidence = Evidence::kernel;
+  return result;
+}
+
 }  // namespace
 
 Decision decided(const Goal& goal, const Limits& limits, Engines engines) {
-  Decision result =
-      guarded(limits, [&](Workspace& workspace) { return Identity{goal, workspace}.run(); });
+  Decision result = guarded(
+      limits, [&](Workspace& workspace) { return decided_by_kernel(goal, workspace); });
   return engines == Engines::both ? with_second_opinion(std::move(result), goal, limits) : result;
 }
 

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <patchproof/algebra/number.hpp>
+
+namespace patchproof {
+
+/// Thrown where the method does not apply; nothing is known then.
+class Declined : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A calculation written down step by step: polynomials over the rational numbers in a few
+/// variables, each of degree at most one in the symbols together.
+///
+/// Each step knows what is needed to decide whether it is zero: a bound for its degree in each
+/// variable, and for the size of its coefficients.
+class Tape {
+ public:
+  using Step = std::uint32_t;
+  static constexpr Step zero = static_cast<Step>(-1);
+  static constexpr std::size_t most_variables = 6;
+
+  enum class Operation { number, variable, symbol, sum, product };
+
+  struct Summand {
+    Step step;
+    bool negative;
+    friend bool operator==(const Summand&, const Summand&) = default;
+  };
+
+  struct Entry {
+    Operation operation;
+    /// Variable or symbol: which one. Sum: where its summands begin.
+    std::uint32_t index = 0;
+    /// Sum: how many summands. Product: the two factors; the second has no symbols.
+    std::uint32_t count = 0;
+    Step first = zero;
+    Step second = zero;
+    Rational number = {};
+    std::array<std::uint16_t, most_variables> degrees{};
+    /// Only symbols in [low, high) occur.
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    /// denominator * polynomial has whole coefficients, whose absolute values add up to `norm` at
+    /// most.
+    Integer denominator = 1;
+    Integer norm = 0;
+  };
+
+  Step number(const Rational& value);
+  Step variable(std::uint32_t index);
+  Step symbol(std::uint32_t index);
+  Step sum(std::vector<Summand> summands);
+  /// @throws Declined when both factors have symbols.
+  Step product(Step a, Step b);
+  Step difference(Step a, Step b) { return sum({{a, false}, {b, true}}); }
+
+  const std::vector<Entry>& entries() const { return entries_; }
+  const Entry& entry(Step step) const { return entries_[step]; }
+  const std::vector<Summand>& summands() const { return summands_; }
+  bool is_number(Step step) const {
+    return step == zero || entries_[step].operation == Operation::number;
+  }
+  Rational number_of(Step step) const { return step == zero ? Rational{} : entries_[step].number; }
+
+ private:
+  Step add(const std::string& key, Entry entry);
+
+  std::vector<Entry> entries_;
+  std::vector<Summand> summands_;
+  /// The same calculation is written down once.
+  std::unordered_map<std::string, Step> known_;
+};
+
+}  // namespace patchproof
