@@ -30,7 +30,7 @@ help:
 	@echo 'make clean    delete build/'
 
 verify: program
-	@$(program) check cases
+	@$(program) check cases --engines both
 
 program: packages build/release/build.ninja
 	@$(build) release --target patchproof_program

@@ -100,8 +100,10 @@ void declare(CLI::App& command, CheckArguments& a) {
       ->excludes(quiet);
   option("--color", a.colour, "auto (usual), always or never", "WHEN")
       ->check(CLI::IsMember(std::set<std::string>{"auto", "always", "never"}));
-  option("--engines", a.engines, "both (usual), or kernel: without second opinion", "WHICH")
-      ->check(CLI::IsMember(std::set<std::string>{"both", "kernel"}));
+  option("--engines", a.engines, "usual: the kernel, and the second engine where that is cheap; both: the second engine at any "
+         "cost within the limits; or kernel: without second opinion",
+         "WHICH")
+      ->check(CLI::IsMember(std::set<std::string>{"usual", "both", "kernel"}));
   option("--jobs", a.jobs, "Claims decided at the same time; usual: the number of processors", "N")
       ->check(count_of_jobs());
   option("--shard", a.shard,
@@ -131,7 +133,9 @@ CheckOptions options_of(const CheckArguments& arguments) {
   CheckOptions options;
   options.strict = arguments.strict;
   options.audit = arguments.audit;
-  options.engines = arguments.engines == "both" ? Engines::both : Engines::kernel;
+  options.engines = arguments.engines == "both"     ? Engines::both
+                    : arguments.engines == "kernel" ? Engines::kernel
+                                                    : Engines::usual;
   Limits& limits = options.limits;
   if (!arguments.seconds.empty()) limits.time = milliseconds(arguments.seconds);
   if (!arguments.megabytes.empty()) limits.memory = std::stoull(arguments.megabytes) * 1'000'000;

@@ -16,7 +16,7 @@ struct CheckArguments {
   std::string output;
   std::string certificates;
   std::string colour = "auto";
-  std::string engines = "both";
+  std::string engines = "usual";
   std::string seconds;
   std::string megabytes;
   std::string steps;

@@ -119,8 +119,9 @@ bool is_called_as_the_book(const std::vector<Page>& pages) {
   if (pages.size() < 2) return false;
   for (const Page& page : pages)
     if (file_name(page.result.verified) == book_name) {
-      print_error("patchproof: the case 'book' has the file name of the book; write it alone, or "
-                  "give it another name\n");
+      print_error(
+          "patchproof: the case 'book' has the file name of the book; write it alone, or "
+          "give it another name\n");
       return true;
     }
   return false;
@@ -229,9 +230,10 @@ void declare(CLI::App& command, LatexArguments& a) {
          "may be given several times",
          "GLOB")
       ->allow_extra_args(false);
-  option("--certificates", a.check.certificates,
-         "Folder of 'patchproof certify --check': what is still as it was checked there is certified",
-         "DIR");
+  option(
+      "--certificates", a.check.certificates,
+      "Folder of 'patchproof certify --check': what is still as it was checked there is certified",
+      "DIR");
   option("--lang", a.language, "Language of the words: en (usual), cs, sk, sl or ru", "CODE");
   option("--detail", a.detail,
          "1: statements and results, 2 (usual): the steps a book prints, 3: all definitions and "
@@ -244,8 +246,10 @@ void declare(CLI::App& command, LatexArguments& a) {
   option("--pdf-time", a.pdf_seconds, "Time for LaTeX, in seconds; usual are 600", "N")
       ->check(whole_number());
   option("--check", a.checked_folder, "Only list the .tex files in a folder that are stale", "DIR");
-  option("--engines", a.check.engines, "both (usual), or kernel: without second opinion", "WHICH")
-      ->check(CLI::IsMember(std::set<std::string>{"both", "kernel"}));
+  a.check.engines = "both";
+  option("--engines", a.check.engines,
+         "both (usual), usual as in 'check', or kernel: without second opinion", "WHICH")
+      ->check(CLI::IsMember(std::set<std::string>{"usual", "both", "kernel"}));
   option("--limit-time", a.check.seconds, "Time for a claim; 0: no limit", "SECONDS")
       ->check(number_of_seconds());
   option("--limit-steps", a.check.steps, "Arithmetic steps for a claim; 0: no limit", "N")

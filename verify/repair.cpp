@@ -117,8 +117,10 @@ void declare(CLI::App& command, RepairArguments& a) {
   option("--format", a.check.format, "text (usual) or json", "FORMAT")
       ->check(CLI::IsMember(std::set<std::string>{"text", "json"}));
   option("--output", a.check.output, "Write the report to a file", "FILE");
-  option("--engines", a.check.engines, "both (usual), or kernel: without second opinion", "WHICH")
-      ->check(CLI::IsMember(std::set<std::string>{"both", "kernel"}));
+  a.check.engines = "both";
+  option("--engines", a.check.engines,
+         "both (usual), usual as in 'check', or kernel: without second opinion", "WHICH")
+      ->check(CLI::IsMember(std::set<std::string>{"usual", "both", "kernel"}));
   option("--limit-time", a.check.seconds, "Time for a statement; 0: no limit", "SECONDS")
       ->check(number_of_seconds());
   option("--limit-steps", a.check.steps, "Arithmetic steps for a claim; 0: no limit", "N")

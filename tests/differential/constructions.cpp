@@ -11,7 +11,7 @@ const Value one = value_of_number(1);
 
 Value entry(const Value& of, std::size_t i, std::size_t j = 0) { return {1, 1, {of.at(i, j)}}; }
 std::size_t size_from(const Value& value) {
-  return static_cast<std::size_t>(plain_value(value.entries.at(0).above));
+  return static_cast<std::size_t>(numerator(plain_value(value.entries.at(0).above)));
 }
 
 /// (1-t)*a + t*b.

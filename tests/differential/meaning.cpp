@@ -17,7 +17,7 @@ Rational number_meaning(const std::string& text) {
 
 std::size_t index_meaning(const Node& node, const Environment& environment) {
   const Value value = meaning(node, environment);
-  return static_cast<std::size_t>(plain_value(value.entries.at(0).above));
+  return static_cast<std::size_t>(numerator(plain_value(value.entries.at(0).above)));
 }
 
 /// The parameter in which a curve is written that a construction takes in this place.

@@ -80,7 +80,7 @@ class CaseVerifier {
 };
 
 struct VerificationOptions {
-  Engines engines = Engines::both;
+  Engines engines = Engines::usual;
   /// Claims for which this is false are not reported. Empty: all are.
   std::function<bool(const Claim&)> wanted;
   /// Called before each claim that is decided.

@@ -188,7 +188,8 @@ Decision decided_by_kernel(const Goal& goal, Workspace& workspace) {
 Decision decided(const Goal& goal, const Limits& limits, Engines engines) {
   Decision result = guarded(
       limits, [&](Workspace& workspace) { return decided_by_kernel(goal, workspace); });
-  return engines == Engines::both ? with_second_opinion(std::move(result), goal, limits) : result;
+  if (engines == Engines::kernel) return result;
+  return with_second_opinion(std::move(result), goal, limits_of_second_opinion(limits, engines));
 }
 
 }  // namespace patchproof

@@ -250,8 +250,9 @@ Decision minimum(const MinimumGoal& goal, const Limits& limits, Engines engines)
     cross_check = minimum.cross_check();
     return decision;
   });
-  if (cross_check.statements.empty() || engines != Engines::both) return result;
-  const SecondOpinion opinion = second_opinion(cross_check, limits);
+  if (cross_check.statements.empty() || engines == Engines::kernel) return result;
+  const SecondOpinion opinion =
+      second_opinion(cross_check, limits_of_second_opinion(limits, engines));
   if (opinion.answer == SecondOpinion::Answer::holds) result.evidence = Evidence::both_engines;
   if (opinion.answer == SecondOpinion::Answer::fails) {
     result.verdict = Verdict::internal;

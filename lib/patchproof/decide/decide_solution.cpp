@@ -260,9 +260,9 @@ Decision solved(const SolveGoal& goal, const std::vector<Statement>& gives,
     return result;
   }
   result = compared(std::move(result), complete, gives, limits, engines);
-  return engines == Engines::both
-             ? with_second_opinion(std::move(result), complete, gives, leaves, limits)
-             : result;
+  if (engines == Engines::kernel) return result;
+  return with_second_opinion(std::move(result), complete, gives, leaves,
+                             limits_of_second_opinion(limits, engines));
 }
 
 }  // namespace patchproof

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <patchproof/algebra/budget.hpp>
 #include <patchproof/algebra/sign_over_box.hpp>
 #include <patchproof/term/goal.hpp>
 
@@ -30,7 +31,7 @@ enum class Evidence {
   none,          ///< no verdict
   kernel,        ///< decided by the kernel; the second engine gave no opinion
   both_engines,  ///< decided by the kernel, and the second engine agrees
-  certified,     ///< and a certificate was accepted by a proof assistant, see `Decision::certificate`
+  certified,  ///< and a certificate was accepted by a proof assistant, see `Decision::certificate`
 };
 std::string to_text(Evidence evidence);
 
@@ -78,6 +79,13 @@ struct Decision {
 };
 
 /// Which engines to ask.
-enum class Engines { both, kernel };
+enum class Engines {
+  usual,   ///< the kernel, and the second engine for as long as it is cheap
+  both,    ///< the second engine for as long as the limits allow
+  kernel,  ///< no second opinion
+};
+
+/// What a second opinion may cost. None is wanted when `engines` is `kernel`.
+Limits limits_of_second_opinion(const Limits& limits, Engines engines);
 
 }  // namespace patchproof

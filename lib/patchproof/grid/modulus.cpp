@@ -40,14 +40,17 @@ Modulus::Residue Modulus::power(Residue base, std::uint64_t exponent) const {
 namespace {
 
 // 2^61 minus these are prime.
-constexpr std::uint64_t distances[] = {1U, 31U, 45U, 229U, 259U, 283U, 339U, 391U, 403U, 465U, 531U, 579U, 675U, 759U, 799U, 819U, 829U, 843U, 859U, 939U, 985U, 1015U, 1153U, 1195U};
+constexpr std::uint64_t distances[] = {1U,   31U,  45U,  229U, 259U, 283U,  339U,  391U,
+                                       403U, 465U, 531U, 579U, 675U, 759U,  799U,  819U,
+                                       829U, 843U, 859U, 939U, 985U, 1015U, 1153U, 1195U};
 
 }  // namespace
 
 const std::vector<std::uint64_t>& large_primes() {
   static const std::vector<std::uint64_t> primes = [] {
     std::vector<std::uint64_t> result;
-    for (const std::uint64_t distance : distances) result.push_back((std::uint64_t{1} << 61U) - distance);
+    for (const std::uint64_t distance : distances)
+      result.push_back((std::uint64_t{1} << 61U) - distance);
     return result;
   }();
   return primes;

@@ -28,9 +28,7 @@ class Modulus {
     return result >= prime_ ? result - prime_ : result;
   }
   Residue difference(Residue a, Residue b) const { return a >= b ? a - b : a + prime_ - b; }
-  Residue product(Residue a, Residue b) const {
-    return reduced(static_cast<Wide>(a) * b);
-  }
+  Residue product(Residue a, Residue b) const { return reduced(static_cast<Wide>(a) * b); }
 
  private:
   __extension__ using Wide = unsigned __int128;
@@ -38,8 +36,7 @@ class Modulus {
   // x / 2^64 for x < 2^64 * prime.
   Residue reduced(Wide x) const {
     const std::uint64_t factor = static_cast<std::uint64_t>(x) * negative_inverse_;
-    const auto result = static_cast<std::uint64_t>(
-        (x + static_cast<Wide>(factor) * prime_) >> 64U);
+    const auto result = static_cast<std::uint64_t>((x + static_cast<Wide>(factor) * prime_) >> 64U);
     return result >= prime_ ? result - prime_ : result;
   }
   Residue power(Residue base, std::uint64_t exponent) const;

@@ -108,7 +108,8 @@ Tape::Step Tape::sum(std::vector<Summand> summands) {
       continue;
     }
     const Integer common = lcm(entry.denominator, part.denominator);
-    entry.norm = entry.norm * (common / entry.denominator) + part.norm * (common / part.denominator);
+    entry.norm =
+        entry.norm * (common / entry.denominator) + part.norm * (common / part.denominator);
     entry.denominator = common;
   }
   summands_.insert(summands_.end(), summands.begin(), summands.end());

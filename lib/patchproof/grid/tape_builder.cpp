@@ -153,13 +153,12 @@ TapeBuilder::Value TapeBuilder::of_symbol(const Term& term, Scope& scope) {
     resolving_.erase(symbol.ordinal);
     return result;
   }
-  const bool is_variable =
-      symbol.role == Symbol::Role::parameter ||
-      (symbol.role == Symbol::Role::scalar && scalars_are_variables_);
+  const bool is_variable = symbol.role == Symbol::Role::parameter ||
+                           (symbol.role == Symbol::Role::scalar && scalars_are_variables_);
   if (is_variable && symbol.type.is_scalar()) {
     const auto index = static_cast<std::uint32_t>(variables_.size());
-    return {constant(tape_.variable(variables_.emplace(symbol.ordinal, index).first->second),
-                     scope)};
+    return {
+        constant(tape_.variable(variables_.emplace(symbol.ordinal, index).first->second), scope)};
   }
   if (symbol.role != Symbol::Role::scalar && symbol.role != Symbol::Role::point)
     throw Declined{"an unknown function"};
@@ -169,8 +168,7 @@ TapeBuilder::Value TapeBuilder::of_symbol(const Term& term, Scope& scope) {
   if (is_new) symbols_ += count;
   Value result;
   for (std::size_t k = 0; k < count; ++k)
-    result.push_back(
-        constant(tape_.symbol(first->second + static_cast<std::uint32_t>(k)), scope));
+    result.push_back(constant(tape_.symbol(first->second + static_cast<std::uint32_t>(k)), scope));
   return result;
 }
 
@@ -228,8 +226,8 @@ TapeBuilder::Value TapeBuilder::of_product(const Term& term, Scope& scope) {
     const Value& next = value(term.child(k), scope);
     Value both;
     for (std::size_t i = 0; i < std::max(result.size(), next.size()); ++i)
-      both.push_back(product(result[result.size() == 1 ? 0 : i], next[next.size() == 1 ? 0 : i],
-                             scope));
+      both.push_back(
+          product(result[result.size() == 1 ? 0 : i], next[next.size() == 1 ? 0 : i], scope));
     result = std::move(both);
   }
   return result;
@@ -292,10 +290,9 @@ TapeBuilder::Value TapeBuilder::of_matrix_product(const Term& term, Scope& scope
         for (std::size_t k = 0; k < width; ++k) {
           std::vector<Series> products;
           for (std::size_t l = 0; l < inner; ++l)
-            products.push_back(
-                product(left.at((i * inner + l) * left_width + (left_width > 1 ? k : 0)),
-                        right.at((l * columns + j) * right_width + (right_width > 1 ? k : 0)),
-                        scope));
+            products.push_back(product(
+                left.at((i * inner + l) * left_width + (left_width > 1 ? k : 0)),
+                right.at((l * columns + j) * right_width + (right_width > 1 ? k : 0)), scope));
           std::vector<std::pair<const Series*, bool>> summands;
           for (const Series& one : products) summands.emplace_back(&one, false);
           both.push_back(sum(summands));

@@ -1,0 +1,62 @@
+// What the grid proves of cases/ is compared with fractions in atoms, the other half of the kernel.
+#include <catch2/catch.hpp>
+#include <tests/cases/case_files.hpp>
+
+#include <patchproof/grid/grid_proof.hpp>
+#include <patchproof/kernel/identity.hpp>
+#include <patchproof/language/reader.hpp>
+
+namespace patchproof {
+
+namespace {
+
+bool holds_in_fractions(const Goal& goal, Budget& budget) {
+  Workspace workspace{budget};
+  Evaluator evaluator{workspace, goal.known};
+  Hypotheses hypotheses{goal, {}, evaluator, workspace};
+  const Finding found = finding(goal, evaluator, hypotheses, workspace);
+  return found.outcome == Finding::Outcome::holds && found.conditions.empty();
+}
+
+}  // namespace
+
+TEST_CASE("what the grid proves of the cases holds in fractions as well") {
+  std::size_t proved = 0;
+  for (const SourceText& file : test::sampled_case_files()) {
+    const ReadFile read = read_cases(std::make_shared<const SourceText>(file), Limits{},
+                                     [](const std::string&) { return std::nullopt; });
+    for (const Case& given : read.cases)
+      for (const Claim& claim : given.claims) {
+        const auto* identity = std::get_if<IdentityClaim>(&claim.kind);
+        if (identity == nullptr) continue;
+        Budget budget{Limits{}};
+        if (!holds_on_grid(identity->goal, budget)) continue;
+        ++proved;
+        INFO(given.name << "." << claim.label << claim.instance);
+        CHECK(claim.expectation == Expectation::prove);
+        CHECK(holds_in_fractions(identity->goal, budget));
+      }
+  }
+  CHECK(proved >= (test::sanitized ? 100 : 3000));
+}
+
+TEST_CASE("goals with assumptions are not for the grid") {
+  const auto goal_of = [](const std::string& statements) {
+    const ReadFile read = read_cases(std::make_shared<const SourceText>(
+                                         SourceText{"a.proof", "case c\n" + statements + "end\n"}),
+                                     Limits{}, [](const std::string&) { return std::nullopt; });
+    return std::get<IdentityClaim>(read.cases.at(0).claims.at(0).kind).goal;
+  };
+  Budget budget{Limits{}};
+  CHECK(holds_on_grid(goal_of("  scalar a, b\n  prove p: a + b == b + a\n"), budget));
+  CHECK(!holds_on_grid(goal_of("  scalar a, b\n  assume h: a == b\n  prove p: a + b == b + a\n"),
+                       budget));
+  CHECK(!holds_on_grid(goal_of("  scalar a, b\n  param t in [a, b]\n  prove p: a + t == t + a\n"),
+                       budget));
+  CHECK(!holds_on_grid(goal_of("  scalar a\n  prove p: a/a == 1\n"), budget));
+  CHECK(!holds_on_grid(goal_of("  scalar a\n  prove p: a^2 >= 0\n"), budget));
+  CHECK(!holds_on_grid(goal_of("  scalar a, b\n  prove p: a*b == b*a + 1\n"), budget));
+  CHECK(holds_on_grid(goal_of("  scalar a, b\n  prove p: a*b == b*a\n"), budget));
+}
+
+}  // namespace patchproof
