@@ -98,7 +98,15 @@ TEST_CASE("every machine word is a fraction") {
   CHECK(Rational{} == 0);
 }
 
-TEST_CASE("nothing is divided by zero") {
+TEST_CASE("a negative denominator is turned, however long it is") {
+  const Integer large = Integer{1} << 200;
+  CHECK(Rational{Integer{3}, Integer{-6}} == Rational{-1, 2});
+  CHECK(Rational{large, Integer{-large * 2}} == Rational{-1, 2});
+  CHECK(Rational{Integer{-1}, Integer{-large}} == Rational{Integer{1}, large});
+  CHECK(denominator(Rational{Integer{5}, Integer{-large}}) == large);
+}
+
+TEST_CASE("no number is divided by zero") {
   const std::string message = "division by zero";
   CHECK_THROWS_WITH((Rational{Integer{1}, Integer{0}}), message);
   CHECK_THROWS_WITH((Rational{1, 0}), message);

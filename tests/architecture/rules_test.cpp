@@ -85,7 +85,7 @@ TEST_CASE("A foreign library outside its door is found", "[architecture][reject]
   CHECK(breaches("verify/main.cpp", "<ginac/ginac.h>") == 1);
   CHECK(breaches("lib/patchproof/symbolic/engine.cpp", "<ginac/ginac.h>") == 0);
   CHECK(breaches("lib/patchproof/algebra/power.cpp", "<boost/multiprecision/cpp_int.hpp>") == 1);
-  CHECK(breaches(algebra, "<boost/multiprecision/cpp_int.hpp>") == 0);
+  CHECK(breaches("lib/patchproof/algebra/rational.hpp", "<boost/multiprecision/cpp_int.hpp>") == 0);
   CHECK(breaches("lib/patchproof/language/parser.cpp", "<nlohmann/json.hpp>") == 1);
   CHECK(breaches("lib/patchproof/language/dump.cpp", "<nlohmann/json.hpp>") == 0);
   CHECK(breaches("lib/patchproof/report/json.cpp", "<CLI/CLI.hpp>") == 1);

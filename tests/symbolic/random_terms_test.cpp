@@ -79,7 +79,7 @@ double value(const Term& t, const std::vector<std::pair<unsigned, double>>& at) 
   const auto child = [&](std::size_t i) { return value(t.child(i), at); };
   switch (t.operation()) {
     case Operation::number:
-      return t.number().convert_to<double>();
+      return numerator(t.number()).convert_to<double>() / denominator(t.number()).convert_to<double>();
     case Operation::pi:
       return std::acos(-1.0);
     case Operation::symbol:

@@ -22,7 +22,9 @@ Rational::Rational(const Integer& whole) {
 
 Rational::Rational(const Integer& numerator, const Integer& denominator) {
   if (denominator == 0) throw std::overflow_error{"division by zero"};
-  set_large(Large{numerator, denominator});
+  // Boost takes a negative denominator without bounds for one that cannot be turned.
+  set_large(denominator < 0 ? Large{Integer{-numerator}, Integer{-denominator}}
+                            : Large{numerator, denominator});
 }
 
 Rational& Rational::operator=(const Rational& other) {

@@ -35,7 +35,15 @@ class TapeBuilder {
   using Step = Tape::Step;
   using Series = std::vector<Step>;
   using Value = std::vector<Series>;
-  struct Scope;
+
+  /// What the formal parameters are while a body is calculated, and what was calculated already.
+  struct Scope {
+    /// The highest power of each small quantity, the first one counting fastest.
+    std::vector<unsigned> orders;
+    std::size_t length = 1;
+    std::map<unsigned, Series> formals;
+    std::unordered_map<const TermNode*, Value> values;
+  };
 
   const Value& value(const Term& term, Scope& scope);
   Value computed(const Term& term, Scope& scope);
