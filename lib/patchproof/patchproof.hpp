@@ -48,7 +48,7 @@ struct CaseFile {
 struct CheckOptions {
   /// For claims whose case says nothing else.
   Limits limits;
-  Engines engines = Engines::usual;
+  Engines engines = Engines::both;
   /// Claims that hold only under conditions are not good enough.
   bool strict = false;
   /// Find out what the assumptions of each case are for.

@@ -80,7 +80,7 @@ class CaseVerifier {
 };
 
 struct VerificationOptions {
-  Engines engines = Engines::usual;
+  Engines engines = Engines::both;
   /// Claims for which this is false are not reported. Empty: all are.
   std::function<bool(const Claim&)> wanted;
   /// Called before each claim that is decided.
