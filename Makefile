@@ -7,7 +7,7 @@ tex_packages  := texlive-luatex texlive-latex-recommended texlive-pictures latex
                  texlive-lang-czechslovak texlive-lang-european texlive-lang-cyrillic \
                  poppler-utils librsvg2-bin
 coq_packages  := coq libcoq-coquelicot
-test_packages := catch2 clang-14 libclang-rt-14-dev python3-sympy $(tex_packages) \
+test_packages := catch2 clang-14 libclang-rt-14-dev python3-sympy parallel $(tex_packages) \
                  $(coq_packages)
 program       := build/release/bin/patchproof
 build         := cmake --build -j $(shell nproc) --preset

@@ -1,5 +1,10 @@
 // Shards of a run on several machines, and their reports joined again.
+#include <sys/wait.h>
+
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "many_claims.hpp"
@@ -56,6 +61,24 @@ TEST_CASE("the reports of all shards give the report of the run") {
   const Ended text = merge(folder, {"1.json", "2.json", "3.json"});
   CHECK(text.output.find("many.wrong: expected PROVED, found REFUTED\n") != std::string::npos);
   CHECK(text.errors.find("corpus/c.proof:3:") != std::string::npos);
+}
+
+TEST_CASE("GNU parallel does the shards, as docs/many-claims.md says") {
+  if (!std::filesystem::exists("/usr/bin/parallel")) return;
+  const TemporaryFolder folder;
+  write_corpus(folder);
+  run_program(folder, {"check", "corpus", "--format", "json", "--output", "whole.json"});
+  const std::string command =
+      "cd '" + folder.path("") +
+      "' && HOME=. parallel --will-cite --jobs 3 '" PATCHPROOF_PROGRAM
+      "' check corpus --shard {}/4 --jobs 1 --format json --output shard{}.json ::: 1 2 3 4 "
+      "2>parallel.log";
+  // That is how many shards did not end with 0: each reports the mistakes of the corpus.
+  CHECK(WEXITSTATUS(std::system(command.c_str())) == 4);
+  const Ended joined = merge(folder, {"shard1.json", "shard2.json", "shard3.json", "shard4.json",
+                                      "--format", "json", "--output", "joined.json"});
+  CHECK(joined.code == 4);
+  CHECK(folder.text("joined.json") == folder.text("whole.json"));
 }
 
 TEST_CASE("a shard of part of the claims is a shard of these") {

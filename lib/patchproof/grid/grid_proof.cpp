@@ -16,6 +16,7 @@ using Entry = Tape::Entry;
 using Residue = Modulus::Residue;
 
 /// More additions and multiplications than this are not begun.
+constexpr std::size_t most_values = 4'000'000;
 constexpr std::uint64_t most_work = 30'000'000;
 
 /// Calculates all steps of a tape at the points of a grid, modulo a prime.
@@ -31,6 +32,7 @@ class GridRun {
       places_.push_back(place);
       place += 1 + (entry.high - entry.low);
     }
+    if (place > most_values) throw Declined{"too many values"};
     values_.resize(place);
     find_levels();
   }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t longest_series = 256;
 constexpr std::size_t most_components = 10'000;
+constexpr std::size_t most_work = 2'000'000;
 constexpr long highest_power = 64;
 constexpr int highest_basis = 64;
 
@@ -59,9 +60,15 @@ std::vector<Tape::Step> TapeBuilder::components(const Term& term) {
 const TapeBuilder::Value& TapeBuilder::value(const Term& term, Scope& scope) {
   const auto found = scope.values.find(term.address());
   if (found != scope.values.end()) return found->second;
+  spend(1);
   Value result = computed(term, scope);
   if (result.size() > most_components) throw Declined{"too many components"};
   return scope.values.emplace(term.address(), std::move(result)).first->second;
+}
+
+void TapeBuilder::spend(std::size_t work) {
+  work_ += work;
+  if (work_ > most_work) throw Declined{"too much to be written down"};
 }
 
 TapeBuilder::Value TapeBuilder::computed(const Term& term, Scope& scope) {
@@ -180,6 +187,7 @@ TapeBuilder::Value TapeBuilder::of_apply(const Term& term, Scope& scope) {
   std::unique_ptr<Scope>& inner = scopes_[key];
   if (!inner) {
     inner = std::make_unique<Scope>();
+    spend((1 + scope.formals.size() + formals.size()) * longest);
     inner->orders = scope.orders;
     inner->length = longest;
     // Everything from outside is a series without the new quantities.

@@ -61,6 +61,9 @@ class TapeBuilder {
                       const Scope& scope);
   Value of_bernstein(const Term& term, Scope& scope);
 
+  /// Counts what writing down costs.
+  /// @throws Declined when it is too much.
+  void spend(std::size_t work);
   Series constant(Step step, const Scope& scope) const;
   Series sum(const std::vector<std::pair<const Series*, bool>>& parts);
   Series product(const Series& a, const Series& b, const Scope& scope);
@@ -74,6 +77,7 @@ class TapeBuilder {
   /// Ordinal -> number of the first component.
   std::map<unsigned, std::uint32_t> first_symbol_;
   std::size_t symbols_ = 0;
+  std::size_t work_ = 0;
   std::unique_ptr<Scope> outermost_;
   /// Scopes of applications, by what is applied to what.
   std::map<std::vector<std::uintptr_t>, std::unique_ptr<Scope>> scopes_;

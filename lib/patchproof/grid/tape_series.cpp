@@ -42,6 +42,7 @@ TapeBuilder::Series TapeBuilder::constant(Step step, const Scope& scope) const {
 }
 
 TapeBuilder::Series TapeBuilder::sum(const std::vector<std::pair<const Series*, bool>>& parts) {
+  spend(parts.size() * parts.front().first->size());
   Series result(parts.front().first->size(), Tape::zero);
   for (std::size_t k = 0; k < result.size(); ++k) {
     std::vector<Tape::Summand> summands;
@@ -52,6 +53,7 @@ TapeBuilder::Series TapeBuilder::sum(const std::vector<std::pair<const Series*, 
 }
 
 TapeBuilder::Series TapeBuilder::product(const Series& a, const Series& b, const Scope& scope) {
+  spend(a.size() * b.size());
   if (scope.length == 1) return {tape_.product(a.front(), b.front())};
   std::vector<std::vector<Tape::Summand>> parts(scope.length);
   for (std::size_t i = 0; i < a.size(); ++i) {
