@@ -12,6 +12,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <system_error>
 
 #include <patchproof/report/text_report.hpp>
 
@@ -102,12 +103,17 @@ ExitCode run(const CheckArguments& arguments) {
     problem = read_checked(arguments.certificates, *work.checked);
     if (!problem.empty()) work.checked.reset();
   }
-  const WorkDone done = [&] {
+  WorkDone done;
+  try {
     Progress progress;
-    return done_by_crew(work, jobs_of(arguments), [&](const std::string& id, std::size_t claims) {
+    done = done_by_crew(work, jobs_of(arguments), [&](const std::string& id, std::size_t claims) {
       progress.next(id, claims);
     });
-  }();
+  } catch (const std::system_error& error) {
+    print_error(
+        "patchproof: no process can be started to decide claims: " + error.code().message() + "\n");
+    return ExitCode::unreadable;
+  }
   print_error(mistakes(done.run));
   ExitCode code = exit_code(done.run);
   if (!problem.empty()) {

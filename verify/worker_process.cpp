@@ -21,9 +21,13 @@ struct Pipe {
 
 Pipe new_pipe() {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0)
-    throw std::system_error{errno, std::generic_category(), "pipe"};
+  if (::pipe2(ends, O_CLOEXEC) != 0) return {};
   return {ends[0], ends[1]};
+}
+
+void close(const Pipe& pipe) {
+  for (const int end : {pipe.from, pipe.into})
+    if (end >= 0) ::close(end);
 }
 
 // The process that works; nothing of what the other one had begun is finished here.
@@ -45,8 +49,13 @@ WorkerProcess::WorkerProcess(const Work& work, const std::vector<int>& others)
     : tasks_{-1}, answers_{-1}, mailbox_{-1} {
   const Pipe tasks = new_pipe();
   const Pipe answers = new_pipe();
-  child_ = ::fork();
-  if (child_ < 0) throw std::system_error{errno, std::generic_category(), "fork"};
+  if (tasks.from >= 0 && answers.from >= 0) child_ = ::fork();
+  if (child_ < 0) {
+    const int why = errno;
+    close(tasks);
+    close(answers);
+    throw std::system_error{why, std::generic_category()};
+  }
   if (child_ == 0) {
     // Whoever holds an end keeps the other side waiting.
     for (const int other : others) ::close(other);

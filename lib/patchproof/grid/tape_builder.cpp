@@ -147,7 +147,9 @@ TapeBuilder::Value TapeBuilder::of_symbol(const Term& term, Scope& scope) {
   if (formal != scope.formals.end()) return {formal->second};
   if (const auto known = known_.find(symbol.ordinal); known != known_.end()) {
     if (!resolving_.insert(symbol.ordinal).second) throw Declined{"defined by itself"};
-    Value result = value(known->second, scope);
+    // Nothing in it means a formal parameter.
+    Value result = value(known->second, *outermost_);
+    for (Series& component : result) component.resize(scope.length, Tape::zero);
     resolving_.erase(symbol.ordinal);
     return result;
   }

@@ -23,9 +23,10 @@ TapeBuilder::Value TapeBuilder::of_polynomial(const std::vector<Rational>& coeff
 TapeBuilder::Value TapeBuilder::of_bernstein(const Term& term, Scope& scope) {
   const int degree = term.indices().at(0);
   const int index = term.indices().at(1);
+  // It has to have a value where the result does not depend on it, too.
+  const Series& t = value(term.child(0), scope).front();
   if (index < 0 || index > degree) return {constant(Tape::zero, scope)};
   if (degree > highest_basis) throw Declined{"too high a degree"};
-  const Series& t = value(term.child(0), scope).front();
   const Series one = constant(tape_.number(1), scope);
   const Series rest = sum({{&one, false}, {&t, true}});
   Rational choices{1};

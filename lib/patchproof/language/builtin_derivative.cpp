@@ -22,9 +22,8 @@ Term derivative_of(const BuiltinCall& call) {
                   "as in diff(r, u, 2, v, 2)"};
     }
   }
-  Term at;
+  Formals formals;
   if (was_value) {
-    Formals formals;
     for (const auto& [name, order] : wanted) {
       const Term parameter = call.elaborator.expression(*name, call.scope);
       if (parameter.operation() != Operation::symbol || !parameter.type().is_scalar())
@@ -48,7 +47,7 @@ Term derivative_of(const BuiltinCall& call) {
   const Term result = call.construct().derivative(function, orders, call.span());
   if (!was_value) return result;
   std::vector<Term> arguments;
-  for (const SymbolPointer& formal : function.formals())
+  for (const SymbolPointer& formal : formals)
     arguments.push_back(symbol_term(formal, call.span()));
   return call.construct().apply(result, std::move(arguments), call.span());
 }

@@ -1,8 +1,10 @@
 #include <patchproof/language/construction.hpp>
 
 #include <algorithm>
+#include <map>
 
 #include <patchproof/term/plain_text.hpp>
+#include <patchproof/term/replacement.hpp>
 
 namespace patchproof {
 
@@ -26,10 +28,21 @@ Term Construction::make(Operation operation, const Type& type, std::vector<Term>
   }
 }
 
+// A scalar of the case may be given a value by a derivation, and that value may contain another one:
+// inside of the lambda neither may be taken for a formal parameter.
 Term Construction::lambda(const Formals& formals, const Term& body, const Span& span) {
   std::vector<std::string> names;
-  for (const SymbolPointer& formal : formals) names.push_back(formal->name);
-  return make(Operation::lambda, Type::function(std::move(names), body.type()), {body}, formals,
+  Formals own;
+  std::map<unsigned, Term> images;
+  for (const SymbolPointer& formal : formals) {
+    names.push_back(formal->name);
+    own.push_back(formal);
+    if (formal->role != Symbol::Role::scalar) continue;
+    own.back() = workshop_.symbol(formal->name, Symbol::Role::bound, Type::scalar());
+    images.emplace(formal->ordinal, symbol_term(own.back(), span));
+  }
+  const Term own_body = images.empty() ? body : replaced(body, images);
+  return make(Operation::lambda, Type::function(std::move(names), body.type()), {own_body}, own,
               span);
 }
 

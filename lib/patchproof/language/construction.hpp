@@ -53,6 +53,8 @@ class Construction {
     }
     return lambda(formals, body(terms), span);
   }
+  /// A lambda over these formals; where they are scalars of the case, over fresh ones in their
+  /// place.
   Term lambda(const Formals& formals, const Term& body, const Span& span);
 
   /// A definition node: what `name(arguments)` stands for, with its expansion.

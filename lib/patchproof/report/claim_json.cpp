@@ -80,7 +80,8 @@ Decision decision_from(const Json& object) {
                         text_of(witness, "right"),
                         text_of(witness, "component")};
   if (const Json& tree = object.at("subdivision"); !tree.is_null())
-    decision.subdivision = {tree.at("boxes").get<std::size_t>(), tree.at("depth").get<unsigned>()};
+    decision.subdivision = {count_from(tree.at("boxes")),
+                            static_cast<unsigned>(count_from(tree.at("depth")))};
   return decision;
 }
 
@@ -129,7 +130,7 @@ ClaimRecord claim_from(const Json& object) {
   claim.outcome = value_of(text_of(object, "outcome"), Outcome::internal);
   claim.note = text_of(object, "note");
   claim.finding = text_of(object, "finding");
-  claim.position = object.value("position", std::size_t{0});
+  if (object.contains("position")) claim.position = count_from(object.at("position"));
   return claim;
 }
 

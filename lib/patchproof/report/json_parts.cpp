@@ -1,5 +1,7 @@
 #include <patchproof/report/json_parts.hpp>
 
+#include <stdexcept>
+
 #include <patchproof/report/claim_json.hpp>
 
 namespace patchproof {
@@ -24,10 +26,15 @@ void add_place(const FilePlace& place, Json& object) {
 
 void add_place(const Span& span, Json& object) { add_place(place_at(span), object); }
 
+std::size_t count_from(const Json& value) {
+  if (!value.is_number_unsigned()) throw std::invalid_argument{"a whole number is wanted"};
+  return value.get<std::size_t>();
+}
+
 FilePlace place_from(const Json& object) {
   if (object.at("file").is_null()) return {};
-  return {object.at("file").get<std::string>(), object.at("line").get<std::size_t>(),
-          object.at("column").get<std::size_t>()};
+  return {object.at("file").get<std::string>(), count_from(object.at("line")),
+          count_from(object.at("column"))};
 }
 
 Json witness_of(const Decision& decision) {

@@ -19,6 +19,10 @@ Json text_or_null(const std::string& text);
 /// Adds "file", "line" and "column", null without a text.
 void add_place(const FilePlace& place, Json& object);
 void add_place(const Span& span, Json& object);
+/// A whole number that is not negative.
+/// @throws std::exception when the value is none.
+std::size_t count_from(const Json& value);
+
 /// The place that was added to an object.
 /// @throws std::exception when there is none.
 FilePlace place_from(const Json& object);

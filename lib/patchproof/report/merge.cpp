@@ -15,8 +15,8 @@ namespace {
 std::optional<ShardRecord> shard_from(const Json& document) {
   if (!document.contains("shard")) return std::nullopt;
   const Json& shard = document.at("shard");
-  ShardRecord record{shard.at("number").get<std::size_t>(), shard.at("of").get<std::size_t>(),
-                     shard.at("claims").get<std::size_t>(),
+  ShardRecord record{count_from(shard.at("number")), count_from(shard.at("of")),
+                     count_from(shard.at("claims")),
                      shard.at("cases").get<std::vector<std::string>>()};
   constexpr std::size_t most_shards = 100'000;
   if (record.number == 0 || record.number > record.of || record.of > most_shards)
