@@ -31,7 +31,7 @@ NEXT = {"algebra": ["algebra", "kernel", "claims", "decide"], "kernel": ["kernel
         "symbolic": ["symbolic", "claims", "decide"], "decide": ["claims", "decide"],
         "claims": ["claims", "report", "decide"],
         "language": ["language", "claims", "decide", "repair", "mutation"],
-        "prelude": []}
+        "grid": ["grid", "decide"], "prelude": []}
 
 
 def run(*command, **more):
