@@ -22,7 +22,7 @@ Goal goal_of(const std::string& statements) {
   const ReadFile read = read_cases(
       std::make_shared<const SourceText>(SourceText{"a.proof", "case c\n" + statements + "end\n"}),
       Limits{}, [](const std::string&) { return std::nullopt; });
-  return std::get<IdentityClaim>(read.cases.at(0).claims.at(0).kind).goal;
+  return std::get<IdentityClaim>(read.cases.at(0).claims.back().kind).goal;
 }
 
 }  // namespace
@@ -45,6 +45,48 @@ TEST_CASE("what the grid proves of the cases holds in fractions as well") {
       }
   }
   CHECK(proved >= (test::sanitized ? 100 : 3000));
+}
+
+TEST_CASE("formal parameters mean the same in functions inside of functions") {
+  Budget budget{Limits{}};
+  const auto holds = [&](const std::string& statement) {
+    return holds_on_grid(goal_of("  param u, v in [0, 1]\n  scalar x, y\n"
+                                 "  patch r(u,v) = diff(u^2*v, v)\n"
+                                 "  let f(u) = u + diff(u^3, u)\n"
+                                 "  derive X: x from x == 3*y gives 3*y\n  prove p: " +
+                                 statement + "\n"),
+                         budget);
+  };
+  CHECK(holds("r(1/2,v) == 1/4"));
+  CHECK(!holds("r(1/2,v) == u^2"));
+  CHECK(holds("r(v,u) == v^2"));
+  CHECK(!holds("r(v,u) == u^2"));
+  CHECK(holds("f(2*v) == 2*v + 12*v^2"));
+  CHECK(holds("diff(diff(x^2*y^3, y)*y, x) == 6*x*y^3"));
+  CHECK(holds("r_u(u,v) == 2*u"));
+  CHECK(holds("diff(u^3*v^2, u, 2, v) == 12*u*v"));
+  CHECK(!holds("diff(u^3*v^2, u, 2, v) == 6*u*v"));
+}
+
+TEST_CASE("products of points and of matrices on the grid") {
+  Budget budget{Limits{}};
+  const auto holds = [&](const std::string& statement) {
+    return holds_on_grid(
+        goal_of("  param u, v in [0, 1]\n  scalar a, b\n  matrix M = [1, u; v, 2]\n"
+                "  matrix N = [a, b; 3, u]\n  prove p: " +
+                statement + "\n"),
+        budget);
+  };
+  CHECK(holds("cross((u, v, 1), (v, u, 2)) == (2*v - u, v - 2*u, u^2 - v^2)"));
+  CHECK(!holds("cross((u, v, 1), (v, u, 2)) == (2*v + u, v + 2*u, u^2 + v^2)"));
+  CHECK(!holds("cross((u, v, 1), (v, u, 2)) == (u - 2*v, 2*u - v, v^2 - u^2)"));
+  CHECK(holds("dot((u, v, 1), (v, u, 2)) == 2*u*v + 2"));
+  CHECK(holds("M*N == [a + 3*u, b + u^2; a*v + 6, b*v + 2*u]"));
+  CHECK(!holds("M*N == [a + 3*u, a*v + 6; b + u^2, b*v + 2*u]"));
+  CHECK(holds("transpose(M*N) == transpose(N)*transpose(M)"));
+  CHECK(!holds("transpose(M*N) == transpose(M)*transpose(N)"));
+  CHECK(holds("M[0,1] == u"));
+  CHECK(!holds("M[1,0] == u"));
 }
 
 TEST_CASE("functions of functions of functions do not take for ever") {
