@@ -15,15 +15,15 @@ def case(number, source):
     a, b, c = (source.randint(1, 9) for _ in range(3))
     n = source.randint(1, 3)
     claims = [
-        f"prove  south: r(u,0) == b(u,0)",
-        f"prove  north: r(u,1) == b(u,1)",
-        f"prove  west: r(0,v) == b(0,v)",
-        f"refute flat: r(u,v) == b(u,0)",
+        "prove  south: r(u,0) == b(u,0)",
+        "prove  north: r(u,1) == b(u,1)",
+        "prove  west: r(0,v) == b(0,v)",
+        "refute flat: r(u,v) == b(u,0)",
         f"prove  square: ({a}*x + {b}*y)^2 == {a * a}*x^2 + {2 * a * b}*x*y + {b * b}*y^2",
         f"refute middle: ({a}*x + {b}*y)^2 == {a * a}*x^2 + {2 * a * b + 1}*x*y + {b * b}*y^2",
         f"prove  corner: {c}*r_u(0,0) == {c * n}*(V[1,0] - V[0,0])",
-        f"prove  twist: r_uuvv(u,v) == {a - a}*V[0,0]",
-        f"prove  half: 2*b(1/2,0) - b(1/2,0) == b(1/2,0)",
+        "prove  pde: r_uuvv(u,v) == 0*V[0,0]",
+        "prove  half: 2*b(1/2,0) - b(1/2,0) == b(1/2,0)",
         f"refute sign: r(u,0) == b(u,0) + {c}*(V[0,0] - V[{n},0])",
     ]
     lines = [f"case corpus.c{number}", "  param u, v in [0, 1]", "  scalar x, y",

@@ -100,7 +100,9 @@ void declare(CLI::App& command, CheckArguments& a) {
       ->excludes(quiet);
   option("--color", a.colour, "auto (usual), always or never", "WHEN")
       ->check(CLI::IsMember(std::set<std::string>{"auto", "always", "never"}));
-  option("--engines", a.engines, "usual: the kernel, and the second engine where that is cheap; both: the second engine at any "
+  option("--engines", a.engines,
+         "usual: the kernel, and the second engine where that is cheap; both: the second engine at "
+         "any "
          "cost within the limits; or kernel: without second opinion",
          "WHICH")
       ->check(CLI::IsMember(std::set<std::string>{"usual", "both", "kernel"}));

@@ -163,6 +163,8 @@ class Crew {
       return;
     }
     if (member.at >= end_of(member)) return;
+    // Not even that it was lost could be said of it.
+    if (task.lost.contains(member.at)) return file.give_up(how);
     task.lost[member.at] = how;
     task.first = work_.whole_files() ? 0 : member.at;
     task.number = next_number_++;

@@ -55,7 +55,8 @@ std::string FileState::take(const Message& answer) {
   } else if (answer.contains("audit")) {
     const Message& audit = answer.at("audit");
     in.audit = {audit.at("text").get<std::string>(), audit.at("flagged").get<std::string>(),
-                audit.at("json").get<std::string>(), audit.at("has_flagged").get<bool>()};
+                audit.at("json").get<std::string>(), audit.at("has_flagged").get<bool>(),
+                audit.at("is_lost").get<bool>()};
   } else if (answer.contains("certified")) {
     const auto ids = answer.at("certified").get<std::vector<std::string>>();
     for (auto& [place, claim] : claims_)

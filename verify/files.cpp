@@ -12,7 +12,6 @@ namespace patchproof {
 
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{64} << 20;
 constexpr std::size_t block_size = std::size_t{1} << 16;
 
 std::string system_words() { return std::strerror(errno); }
@@ -32,7 +31,11 @@ class Descriptor {
   int value_;
 };
 
-FileText all_of(int descriptor) {
+FileText too_large(std::size_t megabytes) {
+  return {std::nullopt, "larger than " + std::to_string(megabytes) + " MB"};
+}
+
+FileText all_of(int descriptor, std::size_t megabytes) {
   std::string text;
   std::string block(block_size, '\0');
   for (;;) {
@@ -41,13 +44,13 @@ FileText all_of(int descriptor) {
     if (count < 0) return {std::nullopt, system_words()};
     if (count == 0) return {std::move(text), ""};
     text.append(block, 0, static_cast<std::size_t>(count));
-    if (text.size() > largest_file) return {std::nullopt, "larger than 64 MB"};
+    if (text.size() > megabytes << 20U) return too_large(megabytes);
   }
 }
 
 }  // namespace
 
-FileText file_text(const std::string& path) {
+FileText file_text(const std::string& path, std::size_t megabytes) {
   // Without O_NONBLOCK, opening a pipe would wait for somebody to write into it.
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
   if (file.value() < 0) return {std::nullopt, system_words()};
@@ -55,11 +58,11 @@ FileText file_text(const std::string& path) {
   if (::fstat(file.value(), &about) != 0) return {std::nullopt, system_words()};
   if (S_ISDIR(about.st_mode)) return {std::nullopt, std::strerror(EISDIR)};
   if (!S_ISREG(about.st_mode)) return {std::nullopt, "not a regular file"};
-  if (about.st_size > static_cast<off_t>(largest_file)) return {std::nullopt, "larger than 64 MB"};
-  return all_of(file.value());
+  if (about.st_size > static_cast<off_t>(megabytes << 20U)) return too_large(megabytes);
+  return all_of(file.value(), megabytes);
 }
 
-FileText standard_input_text() { return all_of(STDIN_FILENO); }
+FileText standard_input_text() { return all_of(STDIN_FILENO, usual_megabytes); }
 
 std::string write_all(int descriptor, const std::string& text) {
   std::size_t done = 0;

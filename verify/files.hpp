@@ -12,9 +12,12 @@ struct FileText {
   std::string problem;
 };
 
-/// The bytes of a regular file. Devices, pipes and more than 64 MB are refused, so that reading
-/// always ends.
-FileText file_text(const std::string& path);
+/// What is read of a file, where nothing else is said.
+inline constexpr std::size_t usual_megabytes = 64;
+
+/// The bytes of a regular file. Devices, pipes and larger files are refused, so that reading always
+/// ends.
+FileText file_text(const std::string& path, std::size_t megabytes = usual_megabytes);
 
 /// All of standard input, up to 64 MB.
 FileText standard_input_text();

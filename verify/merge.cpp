@@ -14,6 +14,9 @@ namespace patchproof {
 
 namespace {
 
+// A million claims or so.
+constexpr std::size_t most_megabytes = 1024;
+
 struct MergeArguments {
   std::vector<std::string> reports;
   std::string format = "text";
@@ -30,7 +33,7 @@ ExitCode run(const MergeArguments& arguments) {
   };
   std::vector<ReadReport> reports;
   for (const std::string& path : arguments.reports) {
-    const FileText text = file_text(path);
+    const FileText text = file_text(path, most_megabytes);
     if (!text.text) {
       complain("cannot read '" + path + "': " + text.problem);
       continue;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace patchproof {
@@ -29,6 +30,7 @@ bool send(int descriptor, const Message& message) {
   std::vector<std::uint8_t> bytes(length_bytes);
   Message::to_cbor(message, bytes);
   const std::size_t length = bytes.size() - length_bytes;
+  if (length > std::numeric_limits<std::uint32_t>::max()) return false;
   for (std::size_t k = 0; k < length_bytes; ++k)
     bytes[k] = static_cast<std::uint8_t>(length >> (8 * k));
   return write_bytes(descriptor, bytes.data(), bytes.size());

@@ -10,7 +10,7 @@ namespace patchproof {
 /// Strings may have any bytes.
 using Message = nlohmann::ordered_json;
 
-/// Writes a message to a pipe; false when nobody reads there any more.
+/// Writes a message to a pipe; false when nobody reads there any more, or for more than 4 GB.
 bool send(int descriptor, const Message& message);
 
 /// Puts together the messages that arrive through a pipe.

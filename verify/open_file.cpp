@@ -142,20 +142,25 @@ Message OpenFile::shown(const Item& item, const std::string* lost) {
     result = verifiers_[item.of]->described(item.index);
   else
     result.value = *lost;
-  return {{"shown", to_json(record_of(result), of.name)}};
+  ShownRecord record = record_of(result);
+  record.is_lost = lost != nullptr;
+  return {{"shown", to_json(record, of.name)}};
 }
 
 Message OpenFile::audit(const Item& item, const std::string* lost) const {
-  if (lost != nullptr) return Message::object();
-  const AuditRecord record = record_of(audited(file_.cases[item.of], results_[item.of]));
+  const Case& of = file_.cases[item.of];
+  const AuditRecord record =
+      lost == nullptr ? record_of(audited(of, results_[item.of])) : lost_audit(of.name, *lost);
   return {{"audit",
            {{"text", record.text},
             {"flagged", record.flagged},
             {"json", record.json},
-            {"has_flagged", record.has_flagged}}}};
+            {"has_flagged", record.has_flagged},
+            {"is_lost", record.is_lost}}}};
 }
 
 Message OpenFile::certified(const Item& item, const std::string* lost) const {
+  // Without an answer the evidence stays what it is.
   if (lost != nullptr) return Message::object();
   const CertifiedClaims certified = certified_claims(*work_.checked, results_[item.of]);
   return {{"certified", certified.ids}, {"by", certified.by}};

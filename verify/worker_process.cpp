@@ -3,6 +3,7 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <verify/files.hpp>
 #include <verify/worker.hpp>
 #include <verify/worker_process.hpp>
 
@@ -37,7 +38,8 @@ void close(const Pipe& pipe) {
   int code = 0;
   try {
     work_through(work, tasks, answers);
-  } catch (const std::exception&) {
+  } catch (const std::exception& error) {
+    print_error(std::string{"patchproof: a worker gave up: "} + error.what() + "\n");
     code = fault;
   }
   ::_exit(code);

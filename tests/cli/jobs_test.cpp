@@ -147,8 +147,27 @@ TEST_CASE("workers that are killed at random lose nothing but what they worked o
     ++unknown;
     CHECK(claim["reason"] == "crash: ended by signal 9 (Killed)");
   }
+  CHECK(killed > 0);
   CHECK(unknown <= killed);
   CHECK(WEXITSTATUS(status) == (unknown == 0 ? 0 : 2));
+}
+
+TEST_CASE("what is shown has to be found out for a run to end with 0") {
+  const TemporaryFolder folder;
+  folder.write("a.proof",
+               "case c\n  scalar a, b, c, d, e, f\n  prove p: a + b == b + a\n"
+               "  show (a+b+c+d+e+f)^60*(a-b)^60/c\n  show a + a\nend\n");
+  const std::string command = "ulimit -t 1; cd '" + folder.path("") +
+                              "' && '" PATCHPROOF_PROGRAM
+                              "' check a.proof --limit-time 0 --limit-steps 0 --limit-terms 0 "
+                              "--format json >report.json";
+  CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
+  const Json report = Json::parse(folder.text("report.json"));
+  CHECK(report["exit"] == 2);
+  CHECK(report["shown"][0]["lost"] == true);
+  CHECK(report["shown"][0]["value"].get<std::string>().rfind("crash: ended by signal ", 0) == 0);
+  CHECK(report["shown"][1]["value"] == "2*a");
+  CHECK(run_program(folder, {"merge", "report.json"}).code == 2);
 }
 
 TEST_CASE("a number of workers is a whole number from 1 on") {

@@ -54,9 +54,25 @@ TEST_CASE("what no report says is not read") {
     INFO(member);
     CHECK_THROWS(claim_from(bad));
   }
+  Json better = to_json(run.files.front().cases.front().claims.at(1), "c");
+  REQUIRE(better["outcome"] == "wrong");
+  better["outcome"] = "as_expected";
+  CHECK_THROWS_WITH(claim_from(better), "the outcome of 'c.wrong' does not fit its verdict");
   Json less = good;
   less.erase("verdict");
   CHECK_THROWS(claim_from(less));
+}
+
+TEST_CASE("an audit that nobody could make is no success") {
+  RunRecord run =
+      record_of(check({{"a.proof", "case c\n  scalar a\n  prove p: a == a\nend\n", ""}}));
+  REQUIRE(exit_code(run) == ExitCode::as_expected);
+  run.files.front().cases.front().audit = lost_audit("c", "crash: ended by signal 9 (Killed)");
+  CHECK(exit_code(run) == ExitCode::unknown);
+  CHECK(written(run, "text", {}).find("assumptions of c were not looked at: crash") !=
+        std::string::npos);
+  const ReadReport back = report_from_json("r", written(run, "json", {}));
+  CHECK(exit_code(back.run) == ExitCode::unknown);
 }
 
 }  // namespace patchproof

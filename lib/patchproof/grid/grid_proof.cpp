@@ -15,8 +15,9 @@ using Step = Tape::Step;
 using Entry = Tape::Entry;
 using Residue = Modulus::Residue;
 
-/// More additions and multiplications than this are not begun.
+/// So many residues are kept at the most: 32 MB.
 constexpr std::size_t most_values = 4'000'000;
+/// More additions and multiplications than this are not begun.
 constexpr std::uint64_t most_work = 30'000'000;
 
 /// Calculates all steps of a tape at the points of a grid, modulo a prime.

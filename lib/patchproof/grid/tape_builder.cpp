@@ -12,7 +12,6 @@ constexpr std::size_t longest_series = 256;
 constexpr std::size_t most_components = 10'000;
 constexpr std::size_t most_work = 2'000'000;
 constexpr long highest_power = 64;
-constexpr int highest_basis = 64;
 
 // A function as a lambda and the orders of the derivatives that are taken of it.
 struct Differentiated {

@@ -33,6 +33,8 @@ class TapeBuilder {
 
  private:
   using Step = Tape::Step;
+  /// Basis functions of higher degrees are left to others.
+  static constexpr int highest_basis = 64;
   using Series = std::vector<Step>;
   using Value = std::vector<Series>;
 

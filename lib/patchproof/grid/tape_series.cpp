@@ -2,12 +2,6 @@
 
 namespace patchproof {
 
-namespace {
-
-constexpr int highest_basis = 64;
-
-}  // namespace
-
 // c0 + c1*t + c2*t^2 + …
 TapeBuilder::Value TapeBuilder::of_polynomial(const std::vector<Rational>& coefficients,
                                               const Series& argument, const Scope& scope) {

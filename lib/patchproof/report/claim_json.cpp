@@ -128,6 +128,11 @@ ClaimRecord claim_from(const Json& object) {
   claim.expectation = value_of(text_of(object, "expectation"), Expectation::inconsistent);
   claim.decision = decision_from(object);
   claim.outcome = value_of(text_of(object, "outcome"), Outcome::internal);
+  // What is undecided for want of a process is unknown, also where "open" was expected.
+  const bool is_unknown =
+      claim.outcome == Outcome::unknown && claim.decision.verdict == Verdict::unknown;
+  if (claim.outcome != outcome_of(claim.expectation, claim.decision.verdict) && !is_unknown)
+    throw std::invalid_argument{"the outcome of '" + claim.id + "' does not fit its verdict"};
   claim.note = text_of(object, "note");
   claim.finding = text_of(object, "finding");
   if (object.contains("position")) claim.position = count_from(object.at("position"));
@@ -142,12 +147,17 @@ Json to_json(const ShownRecord& shown, const std::string& of) {
   object["term"] = shown.term;
   object["value"] = shown.value;
   if (shown.joint) object["joint"] = to_json(*shown.joint);
+  if (shown.is_lost) object["lost"] = true;
   return object;
 }
 
 ShownRecord shown_from(const Json& object) {
-  ShownRecord shown{place_from(object), text_of(object, "instance"), text_of(object, "term"),
-                    text_of(object, "value"), std::nullopt};
+  ShownRecord shown{place_from(object),
+                    text_of(object, "instance"),
+                    text_of(object, "term"),
+                    text_of(object, "value"),
+                    std::nullopt,
+                    object.contains("lost")};
   if (object.contains("joint")) shown.joint = joint_from(object.at("joint"));
   return shown;
 }

@@ -27,6 +27,8 @@ std::optional<ShardRecord> shard_from(const Json& document) {
 AuditRecord audit_from(const Json& object) {
   AuditRecord audit;
   audit.json = object.dump();
+  if (object.contains("lost"))
+    return lost_audit(object.at("case").get<std::string>(), object.at("lost").get<std::string>());
   for (const Json& assumption : object.at("assumptions"))
     if (assumption.at("status") == "flagged") {
       audit.has_flagged = true;

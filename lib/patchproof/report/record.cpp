@@ -59,9 +59,12 @@ ClaimRecord record_of(const Case& of, const ClaimResult& result) {
 }
 
 ShownRecord record_of(const ShownResult& shown) {
-  ShownRecord record{place_at(shown.span), shown.instance,
-                     shown.joint ? as_written(shown.joint->span) : shown.term, shown.value,
-                     shown.joint};
+  ShownRecord record{place_at(shown.span),
+                     shown.instance,
+                     shown.joint ? as_written(shown.joint->span) : shown.term,
+                     shown.value,
+                     shown.joint,
+                     false};
   if (record.joint) record.joint->span = {};
   return record;
 }
@@ -71,7 +74,16 @@ AuditRecord record_of(const CaseAudit& audit) {
       audit.assumptions.begin(), audit.assumptions.end(),
       [](const auto& assumption) { return assumption.status == AssumptionAudit::Status::flagged; });
   return {audit_text(audit, false), audit_text(audit, true),
-          to_json(audit).dump(-1, ' ', false, Json::error_handler_t::replace), flagged};
+          to_json(audit).dump(-1, ' ', false, Json::error_handler_t::replace), flagged, false};
+}
+
+AuditRecord lost_audit(const std::string& case_name, const std::string& why) {
+  const std::string text = "assumptions of " + case_name + " were not looked at: " + why + "\n";
+  const Json object{{"case", case_name},
+                    {"claims", Json::array()},
+                    {"assumptions", Json::array()},
+                    {"lost", why}};
+  return {text, text, object.dump(-1, ' ', false, Json::error_handler_t::replace), false, true};
 }
 
 DiagnosticRecord record_of(const Diagnostic& diagnostic) {
@@ -120,6 +132,10 @@ ExitCode exit_code(const RunRecord& run) {
         worst = graver(worst, code_of(claim, run.strict));
       }
       if (of.audit && of.audit->has_flagged) worst = graver(worst, ExitCode::wrong);
+      const bool lost = (of.audit && of.audit->is_lost) ||
+                        std::any_of(of.shown.begin(), of.shown.end(),
+                                    [](const ShownRecord& shown) { return shown.is_lost; });
+      if (lost) worst = graver(worst, ExitCode::unknown);
     }
   }
   return ran ? worst : graver(worst, ExitCode::nothing_ran);

@@ -48,6 +48,8 @@ struct ShownRecord {
   std::string value;
   /// Its span is left out.
   std::optional<JointReport> joint;
+  /// Nothing was found out, for the reason that stands as its value.
+  bool is_lost = false;
 };
 
 /// What the assumptions of a case are for, written out.
@@ -58,7 +60,12 @@ struct AuditRecord {
   /// The same as a JSON value.
   std::string json;
   bool has_flagged = false;
+  /// Nothing was found out, for the reason in the texts.
+  bool is_lost = false;
 };
+
+/// What stands for the audit of a case that somebody was lost over.
+AuditRecord lost_audit(const std::string& case_name, const std::string& why);
 
 struct CaseRecord {
   std::string name;
