@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <patchproof/report/claim_json.hpp>
+#include <patchproof/report/excerpt.hpp>
 
 namespace patchproof {
 
@@ -137,13 +138,11 @@ Message OpenFile::claim(const Item& item, const std::string* lost) {
 Message OpenFile::shown(const Item& item, const std::string* lost) {
   const Case& of = file_.cases[item.of];
   ::alarm(most_seconds(of.limits));
-  ShownResult result{of.shown[item.index].span, of.shown[item.index].instance, "", "", {}};
   if (lost == nullptr)
-    result = verifiers_[item.of]->described(item.index);
-  else
-    result.value = *lost;
-  ShownRecord record = record_of(result);
-  record.is_lost = lost != nullptr;
+    return {{"shown", to_json(record_of(verifiers_[item.of]->described(item.index)), of.name)}};
+  const Shown& shown = of.shown[item.index];
+  const ShownRecord record{place_at(shown.span), shown.instance, as_written(shown.span),
+                           *lost,                std::nullopt,   true};
   return {{"shown", to_json(record, of.name)}};
 }
 

@@ -167,7 +167,10 @@ TEST_CASE("what is shown has to be found out for a run to end with 0") {
   CHECK(report["shown"][0]["lost"] == true);
   CHECK(report["shown"][0]["value"].get<std::string>().rfind("crash: ended by signal ", 0) == 0);
   CHECK(report["shown"][1]["value"] == "2*a");
-  CHECK(run_program(folder, {"merge", "report.json"}).code == 2);
+  const Ended merged = run_program(folder, {"merge", "report.json"});
+  CHECK(merged.code == 2);
+  CHECK(merged.output.find("a.proof:4:3: c: nothing to show: crash: ended by signal ") !=
+        std::string::npos);
 }
 
 TEST_CASE("a number of workers is a whole number from 1 on") {

@@ -78,7 +78,7 @@ class TextReport {
     }
     for (const ClaimLine& line : lines_of(of)) claim_line(line);
     for (const ShownRecord& shown : of.shown)
-      text_ += "  show  " + (shown.instance.empty() ? "" : shown.instance + "  ") +
+      text_ += std::string{shown.is_lost ? "! show  " : "  show  "} + (shown.instance.empty() ? "" : shown.instance + "  ") +
                (shown.joint ? joint_as_written(shown) + ": " : shown.term + " = ") + shown.value +
                "\n";
   }
@@ -134,6 +134,11 @@ class TextReport {
       if (!text_.empty()) text_ += "\n";
       text_ += claim.finding;
     }
+    for (const ShownRecord& shown : of.shown)
+      if (shown.is_lost)
+        text_ += (text_.empty() ? "" : "\n") + shown.place.file + ":" +
+                 std::to_string(shown.place.line) + ":" + std::to_string(shown.place.column) +
+                 ": " + of.name + ": nothing to show: " + shown.value + "\n";
     if (left_out > 0)
       text_ += "\n" + of.name + ": " + std::to_string(left_out) +
                " more of the same families need attention\n";
