@@ -15,8 +15,10 @@ namespace patchproof {
 
 namespace {
 
-/// So many times a file is opened that nobody has survived.
-constexpr std::size_t most_attempts = 3;
+/// So many workers are lost over a file, one after the other, before it is given up. One that is
+/// lost for a reason of its own will be lost again; but whoever kills workers at random, or is short
+/// of memory for a moment, may meet the same file several times.
+constexpr std::size_t most_attempts = 16;
 
 class Crew {
  public:
@@ -142,6 +144,7 @@ class Crew {
         if (!file.has(item)) throw std::logic_error{"a worker has left out an item"};
     } else {
       const std::string id = file.take(message);
+      attempts_[member.task.file] = 0;
       member.at = message.at("item").get<std::size_t>() + 1;
       if (!id.empty() && progress_) progress_(id, claims_);
     }
@@ -155,16 +158,15 @@ class Crew {
     member.works = false;
     Task& task = member.task;
     FileState& file = files_[task.file];
-    if (!member.has_opened) {
+    if (member.has_opened && member.at >= end_of(member)) return;
+    // Neither what is in it nor that this was lost could be said.
+    if (!member.has_opened || task.lost.contains(member.at)) {
       if (++attempts_[task.file] < most_attempts)
-        open_.push_front(task);
+        open_.push_back(task);
       else
-        file.give_up("nothing is known of it; " + how);
+        file.give_up((member.has_opened ? "" : "nothing is known of it; ") + how);
       return;
     }
-    if (member.at >= end_of(member)) return;
-    // Not even that it was lost could be said of it.
-    if (task.lost.contains(member.at)) return file.give_up(how);
     task.lost[member.at] = how;
     task.first = work_.whole_files() ? 0 : member.at;
     task.number = next_number_++;

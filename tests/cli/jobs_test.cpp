@@ -40,6 +40,52 @@ std::vector<pid_t> children_of(pid_t parent) {
   return children;
 }
 
+void write_powers(const TemporaryFolder& folder, int cases, int claims) {
+  for (int c = 0; c < cases; ++c) {
+    std::string text = "case c" + std::to_string(c) + "\n  scalar a, b, c\n";
+    for (int k = 0; k < claims; ++k)
+      text += "  prove p" + std::to_string(k) + ": (a + b + " + std::to_string(k) + "*c)^9 == (c*" +
+              std::to_string(k) + " + b + a)^9\n";
+    folder.write("corpus/" + std::to_string(c) + ".proof", text + "end\n");
+  }
+}
+
+/// Checks the claims of `corpus`, all of them true, and kills a worker after each pause.
+void check_with_workers_killed(const TemporaryFolder& folder, std::size_t claims, const char* jobs,
+                               const std::vector<std::chrono::milliseconds>& pauses) {
+  const std::string output = folder.path("report.json");
+  const std::string corpus = folder.path("corpus");
+  const pid_t program = ::fork();
+  REQUIRE(program >= 0);
+  if (program == 0) {
+    ::execl(PATCHPROOF_PROGRAM, PATCHPROOF_PROGRAM, "check", corpus.c_str(), "--format", "json",
+            "--output", output.c_str(), "--jobs", jobs, nullptr);
+    ::_exit(127);
+  }
+  std::size_t killed = 0;
+  for (std::size_t round = 0; round < pauses.size(); ++round) {
+    std::this_thread::sleep_for(pauses[round]);
+    const std::vector<pid_t> workers = children_of(program);
+    if (workers.empty()) continue;
+    if (::kill(workers[round % workers.size()], SIGKILL) == 0) ++killed;
+  }
+  int status = 0;
+  REQUIRE(::waitpid(program, &status, 0) == program);
+  REQUIRE(WIFEXITED(status));
+  const Json report = Json::parse(folder.text("report.json"));
+  CHECK(report["unreadable"].empty());
+  REQUIRE(report["claims"].size() == claims);
+  std::size_t unknown = 0;
+  for (const Json& claim : report["claims"]) {
+    if (claim["verdict"] == "PROVED") continue;
+    ++unknown;
+    CHECK(claim["reason"] == "crash: ended by signal 9 (Killed)");
+  }
+  CHECK(killed > 0);
+  CHECK(unknown <= killed);
+  CHECK(WEXITSTATUS(status) == (unknown == 0 ? 0 : 2));
+}
+
 }  // namespace
 
 TEST_CASE("the report does not depend on the number of workers") {
@@ -109,47 +155,16 @@ TEST_CASE("a claim that is said to be open is not as expected when a worker is l
 
 TEST_CASE("workers that are killed at random lose nothing but what they worked on") {
   const TemporaryFolder folder;
-  std::string text;
-  constexpr int cases = 20;
-  constexpr int claims = 60;
-  for (int c = 0; c < cases; ++c) {
-    text = "case c" + std::to_string(c) + "\n  scalar a, b, c\n";
-    for (int k = 0; k < claims; ++k)
-      text += "  prove p" + std::to_string(k) + ": (a + b + " + std::to_string(k) + "*c)^9 == (c*" +
-              std::to_string(k) + " + b + a)^9\n";
-    folder.write("corpus/" + std::to_string(c) + ".proof", text + "end\n");
-  }
-  const std::string output = folder.path("report.json");
-  const std::string corpus = folder.path("corpus");
-  const pid_t program = ::fork();
-  REQUIRE(program >= 0);
-  if (program == 0) {
-    ::execl(PATCHPROOF_PROGRAM, PATCHPROOF_PROGRAM, "check", corpus.c_str(), "--format", "json",
-            "--output", output.c_str(), "--jobs", "3", nullptr);
-    ::_exit(127);
-  }
-  int killed = 0;
-  for (int round = 0; round < 12; ++round) {
-    std::this_thread::sleep_for(std::chrono::milliseconds{40});
-    const std::vector<pid_t> workers = children_of(program);
-    if (workers.empty()) continue;
-    if (::kill(workers[static_cast<std::size_t>(round) % workers.size()], SIGKILL) == 0) ++killed;
-  }
-  int status = 0;
-  REQUIRE(::waitpid(program, &status, 0) == program);
-  REQUIRE(WIFEXITED(status));
-  const Json report = Json::parse(folder.text("report.json"));
-  CHECK(report["unreadable"].empty());
-  REQUIRE(report["claims"].size() == static_cast<std::size_t>(cases * claims));
-  int unknown = 0;
-  for (const Json& claim : report["claims"]) {
-    if (claim["verdict"] == "PROVED") continue;
-    ++unknown;
-    CHECK(claim["reason"] == "crash: ended by signal 9 (Killed)");
-  }
-  CHECK(killed > 0);
-  CHECK(unknown <= killed);
-  CHECK(WEXITSTATUS(status) == (unknown == 0 ? 0 : 2));
+  write_powers(folder, 20, 60);
+  std::vector<std::chrono::milliseconds> pauses(12, std::chrono::milliseconds{40});
+  check_with_workers_killed(folder, 1200, "3", pauses);
+}
+
+TEST_CASE("workers that are killed while they open a file lose nothing") {
+  const TemporaryFolder folder;
+  write_powers(folder, 1, 600);
+  std::vector<std::chrono::milliseconds> pauses(10, std::chrono::milliseconds{1});
+  check_with_workers_killed(folder, 600, "1", pauses);
 }
 
 TEST_CASE("what is shown has to be found out for a run to end with 0") {
