@@ -12,6 +12,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 
 #include <patchproof/report/text_report.hpp>
@@ -97,6 +98,12 @@ ExitCode run(const CheckArguments& arguments) {
   if (arguments.list) return list(arguments, paths, output);
 
   Work work = work_of(arguments, paths);
+  try {
+    if (!arguments.cache.empty()) work.cache.emplace(arguments.cache);
+  } catch (const std::runtime_error& error) {
+    print_error("patchproof: --cache: " + std::string{error.what()} + "\n");
+    return ExitCode::unreadable;
+  }
   std::string problem;
   if (!arguments.certificates.empty()) {
     work.checked.emplace();

@@ -113,6 +113,10 @@ void declare(CLI::App& command, CheckArguments& a) {
          "their reports",
          "i/n")
       ->check(shard_of_a_run());
+  option("--cache", a.cache,
+         "Folder where what was decided is kept, and looked up by later runs of the same program "
+         "over the same texts; made where there is none",
+         "DIR");
   option("--limit-time", a.seconds, "Time for a claim; 0: no limit", "SECONDS")->check(seconds);
   option("--limit-memory", a.megabytes, "Memory for a claim; 0: no limit", "MB")->check(whole);
   option("--limit-steps", a.steps, "Arithmetic steps for a claim; 0: no limit", "N")->check(whole);

@@ -23,6 +23,7 @@ struct CheckArguments {
   std::string terms;
   std::string jobs;
   std::string shard;
+  std::string cache;
   bool strict = false;
   bool audit = false;
   bool list = false;

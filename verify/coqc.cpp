@@ -23,8 +23,8 @@ constexpr std::chrono::milliseconds pause{10};
 constexpr const char* library_folder = "PatchProof";
 
 std::vector<std::string> command(const std::string& file) {
-  return {"coqc", "-q", "-w", "-ambiguous-paths,-notation-overridden", "-Q", library_folder,
-          "PatchProof", file};
+  return {"coqc", "-q",           "-w",         "-ambiguous-paths,-notation-overridden",
+          "-Q",   library_folder, "PatchProof", file};
 }
 
 CoqRun run_of(const Process& process, const std::string& log, bool late,
@@ -45,7 +45,8 @@ CoqRun run_of(const Process& process, const std::string& log, bool late,
     if (line.size() < 1000 && std::regex_search(line, match, place))
       run.line = std::stoul(match[1].str());
     if (line.rfind("Error:", 0) == 0) in_error = true;
-    if (in_error && run.problem.size() < 200) run.problem += (run.problem.empty() ? "" : " ") + line;
+    if (in_error && run.problem.size() < 200)
+      run.problem += (run.problem.empty() ? "" : " ") + line;
   }
   if (run.problem.empty()) run.problem = "coqc ended without a word";
   return run;
@@ -55,8 +56,8 @@ CoqRun run_of(const Process& process, const std::string& log, bool late,
 
 std::string coqc_version() {
   if (!is_installed("coqc")) return "";
-  const fs::path log = fs::temp_directory_path() /
-                       ("patchproof-coqc-version-" + std::to_string(::getpid()));
+  const fs::path log =
+      fs::temp_directory_path() / ("patchproof-coqc-version-" + std::to_string(::getpid()));
   Process coqc{{"coqc", "--version"}, "", log.string()};
   while (!coqc.ended()) std::this_thread::sleep_for(pause);
   const std::string text = file_text(log.string()).text.value_or("");
@@ -131,7 +132,8 @@ std::string library_made(const std::string& folder) {
     stale = true;
     const std::string file = std::string{library_folder} + "/" + name + ".v";
     const CoqRun run = coqc_runs(folder, {file}, 1, std::chrono::seconds{600}, {}).front();
-    if (!run.accepted) return "coqc does not accept the support library, " + file + ": " + run.problem;
+    if (!run.accepted)
+      return "coqc does not accept the support library, " + file + ": " + run.problem;
   }
   return "";
 }

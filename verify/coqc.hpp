@@ -34,7 +34,8 @@ std::vector<CoqRun> coqc_runs(const std::string& folder, const std::vector<std::
 /// The axioms that `Print Assumptions` has named, in its order; nothing when it has said nothing.
 std::optional<std::vector<std::string>> axioms_in(const std::string& output);
 
-/// Whether it is one of the axioms of the real numbers of the standard library, or of classical logic.
+/// Whether it is one of the axioms of the real numbers of the standard library, or of classical
+/// logic.
 bool is_accepted_axiom(const std::string& axiom);
 
 }  // namespace patchproof

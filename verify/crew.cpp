@@ -16,8 +16,8 @@ namespace patchproof {
 namespace {
 
 /// So many workers are lost over a file, one after the other, before it is given up. One that is
-/// lost for a reason of its own will be lost again; but whoever kills workers at random, or is short
-/// of memory for a moment, may meet the same file several times.
+/// lost for a reason of its own will be lost again; but whoever kills workers at random, or is
+/// short of memory for a moment, may meet the same file several times.
 constexpr std::size_t most_attempts = 16;
 
 class Crew {

@@ -36,8 +36,8 @@ bool print(const std::string& text);
 void print_error(const std::string& text);
 
 /// Puts a new text in the place of a file at once, so that there is never half a file; what a
-/// symbolic link points to is replaced, not the link. Where there is no file one is made. "" or what
-/// went wrong.
+/// symbolic link points to is replaced, not the link. Where there is no file one is made. "" or
+/// what went wrong.
 std::string replace_file(const std::string& path, const std::string& text);
 
 }  // namespace patchproof

@@ -105,7 +105,8 @@ void declare(CLI::App& command, MutateArguments& a) {
   option("--format", a.check.format, "text (usual) or json", "FORMAT")
       ->check(CLI::IsMember(std::set<std::string>{"text", "json"}));
   option("--output", a.check.output, "Write the report to a file", "FILE");
-  command.add_flag("-v,--verbose", a.check.verbose, "Also the changes that say the same, and all of long lists");
+  command.add_flag("-v,--verbose", a.check.verbose,
+                   "Also the changes that say the same, and all of long lists");
   option("--limit-time", a.check.seconds, "Time for a claim; 0: no limit", "SECONDS")
       ->check(number_of_seconds());
   option("--limit-steps", a.check.steps,

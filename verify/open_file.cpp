@@ -21,6 +21,14 @@ unsigned most_seconds(const Limits& limits) {
              : static_cast<unsigned>(3 * std::min<long>(seconds, most) + 10);
 }
 
+CaseFile read_file(const Work& work, std::size_t file, CacheKeys& keys) {
+  CheckOptions options = work.options;
+  if (work.cache) options.load = keys.remembering(options.load);
+  CaseFile read = std::move(read_files({input_of(work, file)}, options).front());
+  if (work.cache) keys.note(read, work.cache->program(), options.engines);
+  return read;
+}
+
 }  // namespace
 
 Input input_of(const Work& work, std::size_t file) {
@@ -30,9 +38,7 @@ Input input_of(const Work& work, std::size_t file) {
 }
 
 OpenFile::OpenFile(const Work& work, std::size_t file)
-    : work_{work},
-      number_{file},
-      file_{std::move(read_files({input_of(work, file)}, work.options).front())} {
+    : work_{work}, number_{file}, file_{read_file(work, file, keys_)} {
   for (const Case& of : file_.cases) {
     verifiers_.push_back(std::make_unique<CaseVerifier>(
         of, work.options.engines, [&of] { ::alarm(most_seconds(of.limits)); }));
@@ -120,6 +126,9 @@ Message OpenFile::item(std::size_t index, const std::string* lost) {
 
 Message OpenFile::claim(const Item& item, const std::string* lost) {
   const Case& of = file_.cases[item.of];
+  if (lost == nullptr)
+    if (const std::optional<ClaimRecord> record = kept(item))
+      return {{"claim", to_json(*record, of.name)}, {"time", 0}, {"position", item.position}};
   ClaimResult result;
   if (lost == nullptr) {
     result = verifiers_[item.of]->decided(item.index);
@@ -129,10 +138,40 @@ Message OpenFile::claim(const Item& item, const std::string* lost) {
     result.outcome = Outcome::unknown;
   }
   const ClaimRecord record = record_of(of, result);
+  if (lost == nullptr) keep(item, record);
   if (work_.whole_files()) results_[item.of].claims.push_back(std::move(result));
   return {{"claim", to_json(record, of.name)},
           {"time", record.time.count()},
           {"position", item.position}};
+}
+
+// What it says of the claim is read from the text of today; only what was decided is taken over.
+std::optional<ClaimRecord> OpenFile::kept(const Item& item) const {
+  if (!work_.cache || work_.whole_files()) return std::nullopt;
+  const std::optional<Message> found = work_.cache->find(keys_.digest(item.of, item.index));
+  if (!found) return std::nullopt;
+  const Case& of = file_.cases[item.of];
+  ClaimResult undecided;
+  undecided.claim = of.claims[item.index];
+  ClaimRecord record = record_of(of, undecided);
+  try {
+    const ClaimRecord before = claim_from(*found);
+    record.decision = before.decision;
+    record.outcome = before.outcome;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  record.finding = "";
+  return record;
+}
+
+// Not what depends on how fast this machine is today, and nothing that somebody has to look at.
+void OpenFile::keep(const Item& item, const ClaimRecord& record) const {
+  if (!work_.cache || work_.whole_files()) return;
+  const Verdict verdict = record.decision.verdict;
+  const bool is_decided = verdict == Verdict::proved || verdict == Verdict::refuted;
+  if (!is_decided || record.outcome != Outcome::as_expected || !record.finding.empty()) return;
+  work_.cache->keep(keys_.digest(item.of, item.index), to_json(record, file_.cases[item.of].name));
 }
 
 Message OpenFile::shown(const Item& item, const std::string* lost) {
@@ -141,8 +180,8 @@ Message OpenFile::shown(const Item& item, const std::string* lost) {
   if (lost == nullptr)
     return {{"shown", to_json(record_of(verifiers_[item.of]->described(item.index)), of.name)}};
   const Shown& shown = of.shown[item.index];
-  const ShownRecord record{place_at(shown.span), shown.instance, as_written(shown.span),
-                           *lost,                std::nullopt,   true};
+  const ShownRecord record{
+      place_at(shown.span), shown.instance, as_written(shown.span), *lost, std::nullopt, true};
   return {{"shown", to_json(record, of.name)}};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <verify/cache_keys.hpp>
 #include <verify/message.hpp>
 #include <verify/work.hpp>
 
@@ -36,12 +37,15 @@ class OpenFile {
 
   void add_items(std::size_t of);
   Message claim(const Item& item, const std::string* lost);
+  std::optional<ClaimRecord> kept(const Item& item) const;
+  void keep(const Item& item, const ClaimRecord& record) const;
   Message shown(const Item& item, const std::string* lost);
   Message audit(const Item& item, const std::string* lost) const;
   Message certified(const Item& item, const std::string* lost) const;
 
   const Work& work_;
   std::size_t number_;
+  CacheKeys keys_;
   CaseFile file_;
   std::vector<Item> items_;
   /// Of each case.

@@ -11,11 +11,12 @@ namespace patchproof {
 /// Whether a program of that name can be found and run.
 bool is_installed(const std::string& program);
 
-/// A program that was started without a shell and without input, in a group of processes of its own.
+/// A program that was started without a shell and without input, in a group of processes of its
+/// own.
 class Process {
  public:
-  /// `output` is the file that gets its standard output and errors; "" for none. `folder` is where it
-  /// works; "" for here.
+  /// `output` is the file that gets its standard output and errors; "" for none. `folder` is where
+  /// it works; "" for here.
   Process(const std::vector<std::string>& words, const std::string& folder,
           const std::string& output);
   /// Ends it if it still runs.

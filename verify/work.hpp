@@ -1,5 +1,6 @@
 #pragma once
 
+#include <verify/cache.hpp>
 #include <verify/certified.hpp>
 #include <verify/selection.hpp>
 #include <verify/shard.hpp>
@@ -24,6 +25,8 @@ struct Work {
   Shard shard;
   /// What was certified before.
   std::optional<CheckedFolder> checked;
+  /// Where single claims are looked up before they are decided.
+  std::optional<Cache> cache;
 
   /// Whether the claims of a file belong together: nothing can be said of one without the others.
   bool whole_files() const { return options.audit || checked; }

@@ -124,7 +124,10 @@ struct Case {
   std::vector<std::string> tags;
   Limits limits;
   Notation notation;
+  /// Its name.
   Span span;
+  /// From `case` to its `end`.
+  Span whole;
   /// In the order written; splines and functionals, which are no terms, are left out.
   std::vector<Declaration> declarations;
   /// Splines and functionals as declared, such as "T = bspline(M, degree 3, clamped uniform)".

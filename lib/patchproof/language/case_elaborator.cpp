@@ -157,6 +157,7 @@ Case elaborated(const syntax::Case& written, const Library& library, const Limit
   result.name = written.name.text;
   result.limits = limits;
   result.span = written.name.span;
+  result.whole = written.span;
   for (const WrittenStatement& statement : written.statements)
     if (is_meta(statement.kind)) set_meta(statement, result, diagnostics);
   std::vector<CaseInstance> instances;
