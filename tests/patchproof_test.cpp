@@ -53,7 +53,7 @@ TEST_CASE("A report does not throw for bytes that are no text") {
   for (int k = 0; k < 256; ++k) bytes += static_cast<char>(k);
   const Report report = check({{bytes, bytes, ""}});
   CHECK(exit_code(report) == ExitCode::unreadable);
-  for (const Format& format : formats()) CHECK_NOTHROW(format.write(record_of(report), {}));
+  for (const Format& format : formats()) CHECK_NOTHROW(written(report, format.name, {}));
   CHECK(!mistakes(report).empty());
 }
 

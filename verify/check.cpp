@@ -120,6 +120,9 @@ ExitCode run(const CheckArguments& arguments) {
     print_error(
         "patchproof: no process can be started to decide claims: " + error.code().message() + "\n");
     return ExitCode::unreadable;
+  } catch (const std::runtime_error& error) {
+    print_error("patchproof: " + std::string{error.what()} + "\n");
+    return ExitCode::unreadable;
   }
   print_error(mistakes(done.run));
   ExitCode code = exit_code(done.run);
@@ -128,8 +131,9 @@ ExitCode run(const CheckArguments& arguments) {
     code = graver(code, ExitCode::unreadable);
   }
   say_what_is_empty(paths, done.unmatched, code);
-  const bool well = output.write(written(done.run, arguments.format, style_of(arguments)));
-  return well ? code : graver(code, ExitCode::unreadable);
+  write(done.run, arguments.format, style_of(arguments),
+        [&](std::string_view piece) { output.add(piece); });
+  return output.end() ? code : graver(code, ExitCode::unreadable);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <verify/worker_process.hpp>
 
 #include <algorithm>
-#include <deque>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
@@ -20,24 +20,29 @@ namespace {
 /// short of memory for a moment, may meet the same file several times.
 constexpr std::size_t most_attempts = 16;
 
+/// So many claims wait for those of a file before theirs, at most.
+constexpr std::size_t most_waiting = 20'000;
+
 class Crew {
  public:
   Crew(const Work& work, std::size_t jobs, const WorkProgress& progress)
-      : work_{work}, progress_{progress}, members_{jobs}, attempts_(work.paths.size(), 0) {
-    for (const std::string& path : work.paths) files_.emplace_back(path);
-    for (std::size_t file = 0; file < work.paths.size(); ++file)
-      open_.push_back({next_number_++, file, 0, no_end, {}});
+      : work_{work}, progress_{progress}, members_{jobs}, assembly_{work} {
+    done_.unmatched = work.selection.patterns();
   }
 
   void run() {
     for (;;) {
+      assemble();
       give_tasks();
       if (!anyone_works()) return;
       wait();
     }
   }
 
-  std::vector<FileState>& files() { return files_; }
+  WorkDone done() {
+    done_.run = assembly_.run();
+    return std::move(done_);
+  }
 
  private:
   static constexpr std::size_t no_end = static_cast<std::size_t>(-1);
@@ -51,6 +56,13 @@ class Crew {
     std::size_t at = 0;
   };
 
+  /// A file from when somebody is to open it until it is in the record of the run.
+  struct BegunFile {
+    FileState state;
+    /// How many workers were lost over it since one of its items was done.
+    std::size_t attempts = 0;
+  };
+
   bool anyone_works() const {
     return std::any_of(members_.begin(), members_.end(),
                        [](const Member& member) { return member.works; });
@@ -59,16 +71,30 @@ class Crew {
   void give_tasks() {
     for (Member& member : members_) {
       if (member.works) continue;
-      if (open_.empty() && !divide()) return;
+      if (!has_task()) return;
       if (!member.process && !start(member)) return;
-      member.task = std::move(open_.front());
-      open_.pop_front();
+      member.task = std::move(open_.begin()->second);
+      open_.erase(open_.begin());
       member.works = true;
       member.has_opened = false;
       member.at = member.task.first;
       // Whether it is still there shows when it is listened to.
       member.process->tell(message_of(member.task));
     }
+  }
+
+  void open(Task task) {
+    const std::pair place{task.file, task.first};
+    open_.emplace(place, std::move(task));
+  }
+
+  // Finds something to do where nothing is left over.
+  bool has_task() {
+    if (!open_.empty()) return true;
+    if (next_file_ == work_.paths.size() || waiting_ > most_waiting) return divide();
+    begun_.emplace(next_file_, BegunFile{FileState{work_.paths[next_file_]}, 0});
+    open({next_number_++, next_file_++, 0, no_end, {}});
+    return true;
   }
 
   // Where processes are scarce, fewer have to do.
@@ -87,7 +113,8 @@ class Crew {
   }
 
   std::size_t end_of(const Member& member) const {
-    return std::min(member.task.end, files_[member.task.file].items());
+    const auto file = begun_.find(member.task.file);
+    return std::min(member.task.end, file == begun_.end() ? 0 : file->second.state.items());
   }
 
   // Takes the latter half of what the member with most items left has not begun.
@@ -106,7 +133,7 @@ class Crew {
     if (richest == nullptr) return false;
     const std::size_t end = end_of(*richest);
     const std::size_t middle = end - (most + 1) / 2;
-    open_.push_back({next_number_++, richest->task.file, middle, end, richest->task.lost});
+    open({next_number_++, richest->task.file, middle, end, richest->task.lost});
     richest->task.end = middle;
     richest->process->tell(shortened(richest->task));
     return true;
@@ -132,22 +159,29 @@ class Crew {
   }
 
   void hear(Member& member, const Message& message) {
-    FileState& file = files_[member.task.file];
+    const auto begun = begun_.find(member.task.file);
+    if (message.contains("done")) {
+      member.works = false;
+      for (std::size_t item = member.task.first; item < end_of(member); ++item)
+        if (!begun->second.state.has(item)) throw std::logic_error{"a worker has left out an item"};
+      return;
+    }
     if (message.contains("opened")) {
       member.has_opened = true;
+      if (begun == begun_.end()) return;
+      FileState& file = begun->second.state;
       const bool is_new = !file.is_described();
       file.describe(message.at("opened"));
       if (is_new) claims_ += file.claims();
-    } else if (message.contains("done")) {
-      member.works = false;
-      for (std::size_t item = member.task.first; item < end_of(member); ++item)
-        if (!file.has(item)) throw std::logic_error{"a worker has left out an item"};
-    } else {
-      const std::string id = file.take(message);
-      attempts_[member.task.file] = 0;
-      member.at = message.at("item").get<std::size_t>() + 1;
-      if (!id.empty() && progress_) progress_(id, claims_);
+      return;
     }
+    member.at = message.at("item").get<std::size_t>() + 1;
+    if (begun == begun_.end()) return;
+    const std::string id = begun->second.state.take(message);
+    begun->second.attempts = 0;
+    if (id.empty()) return;
+    ++waiting_;
+    if (progress_) progress_(id, claims_);
   }
 
   // The rest of its task is for somebody else.
@@ -156,31 +190,56 @@ class Crew {
     member.process.reset();
     if (!member.works) return;
     member.works = false;
+    const auto begun = begun_.find(member.task.file);
+    if (begun == begun_.end()) return;
     Task& task = member.task;
-    FileState& file = files_[task.file];
     if (member.has_opened && member.at >= end_of(member)) return;
     // Neither what is in it nor that this was lost could be said.
     if (!member.has_opened || task.lost.contains(member.at)) {
-      if (++attempts_[task.file] < most_attempts)
-        open_.push_back(task);
+      if (++begun->second.attempts < most_attempts)
+        open(std::move(task));
       else
-        file.give_up((member.has_opened ? "" : "nothing is known of it; ") + how);
+        begun->second.state.give_up((member.has_opened ? "" : "nothing is known of it; ") + how);
       return;
     }
     task.lost[member.at] = how;
     task.first = work_.whole_files() ? 0 : member.at;
     task.number = next_number_++;
-    open_.push_front(task);
+    open(std::move(task));
+  }
+
+  // Files that are complete, as far as they are next to each other, go into the record.
+  void assemble() {
+    for (auto first = begun_.begin();
+         first != begun_.end() && first->first == assembled_ && first->second.state.is_complete();
+         first = begun_.erase(first), ++assembled_) {
+      FileState& file = first->second.state;
+      waiting_ -= std::min(waiting_, file.claims());
+      FileRecord record = file.record();
+      if (record.unreadable.empty())
+        std::erase_if(done_.unmatched, [&](const std::string& pattern) {
+          return std::find(file.unmatched().begin(), file.unmatched().end(), pattern) ==
+                 file.unmatched().end();
+        });
+      assembly_.add(std::move(record), file.shares());
+    }
   }
 
   const Work& work_;
   const WorkProgress& progress_;
   std::vector<Member> members_;
-  std::vector<FileState> files_;
-  std::vector<std::size_t> attempts_;
-  std::deque<Task> open_;
+  /// By the number of the file.
+  std::map<std::size_t, BegunFile> begun_;
+  /// What nobody works on, by file and first item.
+  std::map<std::pair<std::size_t, std::size_t>, Task> open_;
+  std::size_t next_file_ = 0;
   std::size_t next_number_ = 0;
   std::size_t claims_ = 0;
+  /// So many claims are decided and not in the record.
+  std::size_t waiting_ = 0;
+  std::size_t assembled_ = 0;
+  RunAssembly assembly_;
+  WorkDone done_;
 };
 
 }  // namespace
@@ -188,19 +247,7 @@ class Crew {
 WorkDone done_by_crew(const Work& work, std::size_t jobs, const WorkProgress& progress) {
   Crew crew{work, std::max<std::size_t>(1, jobs), progress};
   crew.run();
-  WorkDone done{{}, work.selection.patterns()};
-  RunAssembly run{work};
-  for (FileState& file : crew.files()) {
-    FileRecord record = file.record();
-    if (record.unreadable.empty())
-      std::erase_if(done.unmatched, [&](const std::string& pattern) {
-        return std::find(file.unmatched().begin(), file.unmatched().end(), pattern) ==
-               file.unmatched().end();
-      });
-    run.add(std::move(record), file.shares());
-  }
-  done.run = run.run();
-  return done;
+  return crew.done();
 }
 
 }  // namespace patchproof

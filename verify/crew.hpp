@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <patchproof/report/record.hpp>
+#include <patchproof/report/run_record.hpp>
 
 namespace patchproof {
 
@@ -26,6 +26,7 @@ using WorkProgress = std::function<void(const std::string& id, std::size_t claim
 /// A worker that dies or does not end costs the claim it worked on, which is unknown then; the
 /// others of its claims are given to somebody else.
 /// @throws std::system_error when no worker can be started.
+/// @throws std::runtime_error when what has come in can no longer be stored.
 WorkDone done_by_crew(const Work& work, std::size_t jobs, const WorkProgress& progress);
 
 }  // namespace patchproof

@@ -48,8 +48,8 @@ ExitCode run(const MergeArguments& arguments) {
   for (const std::string& what : all.complaints) complain(what);
   print_error(mistakes(all.run));
   code = graver(code, exit_code(all.run));
-  return output.write(written(all.run, arguments.format, {})) ? code
-                                                              : graver(code, ExitCode::unreadable);
+  write(all.run, arguments.format, {}, [&](std::string_view piece) { output.add(piece); });
+  return output.end() ? code : graver(code, ExitCode::unreadable);
 }
 
 }  // namespace

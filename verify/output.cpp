@@ -38,18 +38,36 @@ Output::~Output() {
   if (!path_.empty() && descriptor_ >= 0) ::close(descriptor_);
 }
 
-bool Output::write(const std::string& text) {
-  if (path_.empty()) return print(text);
-  std::string problem = write_all(descriptor_, text);
-  // Some file systems say only now that there was no room.
-  if (::close(descriptor_) != 0 && problem.empty()) problem = std::strerror(errno);
-  descriptor_ = -1;
-  if (!problem.empty()) complain(problem);
-  return problem.empty();
+bool Output::write(std::string_view text) {
+  add(text);
+  return end();
+}
+
+void Output::add(std::string_view piece) {
+  constexpr std::size_t block = std::size_t{1} << 18;
+  waiting_ += piece;
+  if (waiting_.size() > block) flush();
+}
+
+void Output::flush() {
+  if (problem_.empty()) problem_ = write_all(descriptor_, waiting_);
+  waiting_.clear();
+}
+
+bool Output::end() {
+  flush();
+  if (!path_.empty()) {
+    // Some file systems say only now that there was no room.
+    if (::close(descriptor_) != 0 && problem_.empty()) problem_ = std::strerror(errno);
+    descriptor_ = -1;
+  }
+  if (!problem_.empty()) complain(problem_);
+  return problem_.empty();
 }
 
 void Output::complain(const std::string& problem) const {
-  print_error("patchproof: cannot write '" + path_ + "': " + problem + "\n");
+  const std::string where = path_.empty() ? "standard output" : "'" + path_ + "'";
+  print_error("patchproof: cannot write " + where + ": " + problem + "\n");
 }
 
 }  // namespace patchproof

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace patchproof {
@@ -17,13 +18,21 @@ class Output {
 
   bool good() const { return descriptor_ >= 0; }
   /// Writes the text, all there will be. @returns whether that went well.
-  bool write(const std::string& text);
+  bool write(std::string_view text);
+  /// Writes a part of what there will be; `end` says whether that went well.
+  void add(std::string_view piece);
+  /// Writes what is not yet written. @returns whether everything went well.
+  bool end();
 
  private:
+  void flush();
   void complain(const std::string& problem) const;
 
   std::string path_;
   int descriptor_;
+  std::string waiting_;
+  /// Why nothing more is written.
+  std::string problem_;
 };
 
 }  // namespace patchproof

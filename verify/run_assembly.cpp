@@ -1,4 +1,5 @@
 #include <verify/run_assembly.hpp>
+#include <verify/temporary_store.hpp>
 
 #include <algorithm>
 
@@ -6,9 +7,10 @@ namespace patchproof {
 
 namespace {
 
-DiagnosticRecord occurs_twice(const CaseRecord& second, const FilePlace& first) {
-  const std::string message = "case '" + second.name + "' occurs twice (first in " + first.file +
-                              ", line " + std::to_string(first.line) + ")";
+DiagnosticRecord occurs_twice(const CaseRecord& second, const std::string& first_file,
+                              std::size_t first_line) {
+  const std::string message = "case '" + second.name + "' occurs twice (first in " + first_file +
+                              ", line " + std::to_string(first_line) + ")";
   const FilePlace& at = second.place;
   const std::string place =
       at.file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
@@ -17,14 +19,17 @@ DiagnosticRecord occurs_twice(const CaseRecord& second, const FilePlace& first) 
 
 }  // namespace
 
-RunAssembly::RunAssembly(const Work& work) {
+RunAssembly::RunAssembly(const Work& work) : work_{work} {
+  run_.files = FileRecords{std::make_unique<TemporaryStore>()};
   run_.strict = work.options.strict;
   if (!work.shard.is_all()) run_.shard = ShardRecord{work.shard.number, work.shard.of, 0, {}};
 }
 
 bool RunAssembly::is_taken(const CaseRecord& of, FileRecord& file) {
-  const auto [first, is_new] = first_.emplace(of.name, of.place);
-  if (!is_new) file.diagnostics.push_back(occurs_twice(of, first->second));
+  const auto [first, is_new] = first_.emplace(of.name, FirstUse{files_, of.place.line});
+  if (!is_new)
+    file.diagnostics.push_back(
+        occurs_twice(of, work_.paths[first->second.file], first->second.line));
   return !is_new;
 }
 
@@ -44,6 +49,7 @@ void RunAssembly::add(FileRecord file, const std::vector<CaseShare>& shares) {
     std::stable_sort(file.diagnostics.begin(), file.diagnostics.end(),
                      [](const auto& a, const auto& b) { return a.place < b.place; });
   run_.files.push_back(std::move(file));
+  ++files_;
 }
 
 }  // namespace patchproof

@@ -2,11 +2,11 @@
 
 #include <verify/work.hpp>
 
-#include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
-#include <patchproof/report/record.hpp>
+#include <patchproof/report/run_record.hpp>
 
 namespace patchproof {
 
@@ -19,15 +19,23 @@ class RunAssembly {
   explicit RunAssembly(const Work& work);
 
   /// `shares` are those of the cases of the file.
+  /// @throws std::runtime_error when there are many and they cannot be stored.
   void add(FileRecord file, const std::vector<CaseShare>& shares);
   RunRecord run() { return std::move(run_); }
 
  private:
+  /// Where a name was first used: in which file of the run, and in which line.
+  struct FirstUse {
+    std::size_t file;
+    std::size_t line;
+  };
+
   bool is_taken(const CaseRecord& of, FileRecord& file);
 
+  const Work& work_;
   RunRecord run_;
-  /// Where the names were first used.
-  std::map<std::string, FilePlace> first_;
+  std::unordered_map<std::string, FirstUse> first_;
+  std::size_t files_ = 0;
   std::size_t claims_ = 0;
 };
 

@@ -167,4 +167,45 @@ TEST_CASE("a shard without claims does not look like a success") {
   CHECK(first * second == 0);
 }
 
+// More than are kept in memory: the others are stored, and read again for the report.
+TEST_CASE("the report of very many claims is that of its shards") {
+  const TemporaryFolder folder;
+  constexpr int files = 13;
+  for (int f = 0; f < files; ++f) {
+    const std::string name = "c" + std::to_string(100 + f);
+    std::string text = "case " + name + "\n  title \"Case " + name + "\"\n  scalar a, b\n";
+    for (int k = 0; k < 900; ++k) {
+      const std::string n = std::to_string(k);
+      text += k % 10 == 0 ? "  refute r" + n + ": a + " + n + " == b\n"
+                          : "  prove p" + n + ": a + " + n + " == " + n + " + a\n";
+    }
+    text += "  prove wrong: a == b\n  show a + a + " + std::to_string(f) + "*b\nend\n";
+    // A name that was used long before, and a mistake.
+    if (f == files - 1)
+      text += "case c100\n  scalar a\n  prove p: a == a\nend\ncase broken\n  sca\n";
+    folder.write("corpus/" + name + ".proof", text);
+  }
+  const auto check = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"check", "corpus", "--jobs", "3"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(folder, arguments);
+  };
+  check({"--shard", "1/2", "--format", "json", "--output", "one.json"});
+  check({"--shard", "2/2", "--format", "json", "--output", "two.json"});
+  const Ended merged = run_program(folder, {"merge", "one.json", "two.json", "--format", "json"});
+  const Ended whole = check({"--format", "json"});
+  CHECK(whole.code == merged.code);
+  CHECK(whole.output == merged.output);
+  const Ended text = check({"--quiet"});
+  CHECK(text.code == 4);
+  CHECK(
+      text.output.find("11713 claims in 13 cases: 11700 as expected (10530 proved, 1170 refuted), "
+                       "13 wrong, 3 mistakes in the text") != std::string::npos);
+  CHECK(text.errors.find("case 'c100' occurs twice (first in corpus/c100.proof, line 1)") !=
+        std::string::npos);
+  // With titles and times, which are in no JSON report.
+  const Ended verbose = check({"--verbose"});
+  CHECK(verbose.output.find("\nc111: Case c111\n") != std::string::npos);
+}
+
 }  // namespace patchproof

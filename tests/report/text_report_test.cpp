@@ -9,7 +9,7 @@ namespace patchproof {
 namespace {
 
 std::string text_of(const Report& report, Verbosity verbosity = Verbosity::normal) {
-  return text_report(record_of(report), {verbosity, false});
+  return written(record_of(report), "text", {verbosity, false});
 }
 
 ClaimResult refuted(const std::string& label) {
@@ -138,7 +138,7 @@ TEST_CASE("A statement without a value is shown where it has none") {
 
 TEST_CASE("Colours say nothing the text does not say") {
   const Report report = report_of({refuted("one")});
-  std::string coloured = text_report(record_of(report), {Verbosity::normal, true});
+  std::string coloured = written(record_of(report), "text", {Verbosity::normal, true});
   for (std::size_t at; (at = coloured.find('\x1b')) != std::string::npos;)
     coloured.erase(at, coloured.find('m', at) - at + 1);
   CHECK(coloured == text_of(report));

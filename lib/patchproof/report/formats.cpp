@@ -15,10 +15,17 @@ const std::vector<Format>& formats() {
   return all;
 }
 
-std::string written(const RunRecord& run, std::string_view format, const ReportStyle& style) {
+void write(const RunRecord& run, std::string_view format, const ReportStyle& style,
+           const ReportSink& sink) {
   for (const Format& known : formats())
-    if (known.name == format) return known.write(run, style);
+    if (known.name == format) return known.write(run, style, sink);
   throw std::invalid_argument{"there is no format '" + std::string{format} + "'"};
+}
+
+std::string written(const RunRecord& run, std::string_view format, const ReportStyle& style) {
+  std::string text;
+  write(run, format, style, [&](std::string_view piece) { text += piece; });
+  return text;
 }
 
 std::string written(const Report& report, std::string_view format, const ReportStyle& style) {

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <patchproof/report/record.hpp>
+#include <patchproof/report/run_record.hpp>
 
 namespace patchproof {
 
@@ -22,17 +23,23 @@ struct ReportStyle {
   bool colour = false;
 };
 
+/// Takes a report piece by piece.
+using ReportSink = std::function<void(std::string_view piece)>;
+
 /// A way to write a report down.
 struct Format {
   std::string_view name;
-  std::string (*write)(const RunRecord& run, const ReportStyle& style);
+  void (*write)(const RunRecord& run, const ReportStyle& style, const ReportSink& sink);
 };
 
 /// All formats; the first is the usual one.
 const std::vector<Format>& formats();
 
-/// The report in the format of the name. The same report always gives the same bytes.
+/// Writes the report in the format of the name. The same report always gives the same bytes.
 /// @throws std::invalid_argument when there is no such format.
+void write(const RunRecord& run, std::string_view format, const ReportStyle& style,
+           const ReportSink& sink);
+/// The same as one text.
 std::string written(const RunRecord& run, std::string_view format, const ReportStyle& style);
 std::string written(const Report& report, std::string_view format, const ReportStyle& style);
 

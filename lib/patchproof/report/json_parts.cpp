@@ -46,15 +46,18 @@ Json witness_of(const Decision& decision) {
           {"component", text_or_null(witness.component)}};
 }
 
-void add_mistakes(const std::vector<FileRecord>& files, Json& document) {
+void add_mistakes(const FileRecords& files, Json& document) {
   Json diagnostics = Json::array();
   Json unreadable = Json::array();
-  for (const FileRecord& file : files) {
-    if (!file.unreadable.empty())
-      unreadable.push_back({{"path", file.path}, {"message", file.unreadable}});
-    for (const DiagnosticRecord& diagnostic : file.diagnostics)
-      diagnostics.push_back(to_json(diagnostic));
-  }
+  const Summary& summary = files.summary();
+  // Looking at many files takes its time.
+  if (summary.mistakes > 0 || summary.unreadable_files > 0)
+    files.for_each([&](const FileRecord& file) {
+      if (!file.unreadable.empty())
+        unreadable.push_back({{"path", file.path}, {"message", file.unreadable}});
+      for (const DiagnosticRecord& diagnostic : file.diagnostics)
+        diagnostics.push_back(to_json(diagnostic));
+    });
   document["diagnostics"] = std::move(diagnostics);
   document["unreadable"] = std::move(unreadable);
 }

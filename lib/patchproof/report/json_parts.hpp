@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <patchproof/report/record.hpp>
+#include <patchproof/report/run_record.hpp>
 
 namespace patchproof {
 
@@ -28,7 +28,7 @@ std::size_t count_from(const Json& value);
 FilePlace place_from(const Json& object);
 
 /// Adds "diagnostics" and "unreadable": what could not be read of the files.
-void add_mistakes(const std::vector<FileRecord>& files, Json& document);
+void add_mistakes(const FileRecords& files, Json& document);
 
 /// "values", "left", "right" and "component" of a refuted claim; null for any other.
 Json witness_of(const Decision& decision);

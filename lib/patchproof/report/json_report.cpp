@@ -38,47 +38,47 @@ std::string inside(const Json& value, std::size_t depth) {
 /// of their text.
 class DocumentWriter {
  public:
+  explicit DocumentWriter(const ReportSink& sink) : sink_{sink} {}
+
   void member(const std::string& name, const Json& value) {
     begin(name);
-    text_ += inside(value, 1);
+    sink_(inside(value, 1));
   }
   void begin_list(const std::string& name) {
     begin(name);
-    text_ += "[";
+    sink_("[");
     empty_ = true;
   }
   void entry(const Json& value) {
-    text_ += (empty_ ? "\n    " : ",\n    ") + inside(value, 2);
+    sink_((empty_ ? "\n    " : ",\n    ") + inside(value, 2));
     empty_ = false;
   }
-  void end_list() { text_ += empty_ ? "]" : "\n  ]"; }
-  std::string text() { return std::move(text_) + "\n}\n"; }
+  void end_list() { sink_(empty_ ? "]" : "\n  ]"); }
+  void end() { sink_("\n}\n"); }
 
  private:
   void begin(const std::string& name) {
-    text_ += (text_.empty() ? "{\n  \"" : ",\n  \"") + name + "\": ";
+    sink_((started_ ? ",\n  \"" : "{\n  \"") + name + "\": ");
+    started_ = true;
   }
 
-  std::string text_;
+  const ReportSink& sink_;
+  bool started_ = false;
   bool empty_ = true;
 };
 
-void add_claims(const RunRecord& run, DocumentWriter& document) {
-  document.begin_list("claims");
-  for (const FileRecord& file : run.files)
-    for (const CaseRecord& of : file.cases)
-      for (const ClaimRecord& claim : of.claims) {
-        Json object = to_json(claim, of.name);
-        if (run.shard) object["position"] = claim.position;
-        document.entry(object);
-      }
-  document.end_list();
+void add_claims(const CaseRecord& of, bool is_shard, DocumentWriter& document) {
+  for (const ClaimRecord& claim : of.claims) {
+    Json object = to_json(claim, of.name);
+    if (is_shard) object["position"] = claim.position;
+    document.entry(object);
+  }
 }
 
 }  // namespace
 
-std::string json_report(const RunRecord& run, const ReportStyle& /*style*/) {
-  DocumentWriter document;
+void json_report(const RunRecord& run, const ReportStyle& /*style*/, const ReportSink& sink) {
+  DocumentWriter document{sink};
   document.member("version", version);
   document.member("strict", run.strict);
   if (run.shard)
@@ -86,22 +86,25 @@ std::string json_report(const RunRecord& run, const ReportStyle& /*style*/) {
                               {"of", run.shard->of},
                               {"claims", run.shard->claims},
                               {"cases", run.shard->cases}});
-  add_claims(run, document);
+  document.begin_list("claims");
   Json shown = Json::array();
   Json audits = Json::array();
-  for (const FileRecord& file : run.files)
+  run.files.for_each([&](const FileRecord& file) {
     for (const CaseRecord& of : file.cases) {
+      add_claims(of, run.shard.has_value(), document);
       for (const ShownRecord& term : of.shown) shown.push_back(to_json(term, of.name));
       if (of.audit) audits.push_back(Json::parse(of.audit->json));
     }
+  });
+  document.end_list();
   document.member("shown", shown);
   if (!audits.empty()) document.member("audits", audits);
   Json mistakes;
   add_mistakes(run.files, mistakes);
   for (const auto& [name, value] : mistakes.items()) document.member(name, value);
-  document.member("summary", to_json(summary_of(run)));
+  document.member("summary", to_json(run.files.summary()));
   document.member("exit", static_cast<int>(exit_code(run)));
-  return document.text();
+  document.end();
 }
 
 }  // namespace patchproof

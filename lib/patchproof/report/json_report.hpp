@@ -1,13 +1,11 @@
 #pragma once
 
-#include <string>
-
 #include <patchproof/report/formats.hpp>
 
 namespace patchproof {
 
 /// The report as one JSON document, as described in docs/json.md; no times, so that two runs give
 /// the same bytes. Bytes that are not valid UTF-8 become U+FFFD.
-std::string json_report(const RunRecord& run, const ReportStyle& style);
+void json_report(const RunRecord& run, const ReportStyle& style, const ReportSink& sink);
 
 }  // namespace patchproof

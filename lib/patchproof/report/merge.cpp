@@ -56,7 +56,7 @@ class Cases {
 
 RunRecord run_from(const Json& document) {
   RunRecord run{{}, document.at("strict").get<bool>(), shard_from(document)};
-  FileRecord& file = run.files.emplace_back();
+  FileRecord file;
   for (const Json& one : document.at("diagnostics"))
     file.diagnostics.push_back(diagnostic_from(one));
   Cases cases;
@@ -68,6 +68,7 @@ RunRecord run_from(const Json& document) {
     for (const Json& one : document.at("audits"))
       cases.named(one.at("case").get<std::string>()).audit = audit_from(one);
   file.cases = cases.all();
+  run.files.push_back(std::move(file));
   for (const Json& one : document.at("unreadable"))
     run.files.push_back(
         {one.at("path").get<std::string>(), one.at("message").get<std::string>(), {}, {}});
@@ -107,12 +108,13 @@ class Comparison {
     for (const ReadReport& report : reports_) {
       std::size_t twice = 0;
       std::string example;
-      for (const FileRecord& file : report.run.files)
+      report.run.files.for_each([&](const FileRecord& file) {
         for (const CaseRecord& of : file.cases)
           for (const ClaimRecord& claim : of.claims)
             if (!seen.emplace(claim.id, &report).second && ++twice == 1)
               example = "'" + claim.id + "' is in '" + seen.at(claim.id)->name + "' and in '" +
                         report.name + "'";
+      });
       if (twice > 0)
         complain(example +
                  (twice > 1 ? ", and so are " + std::to_string(twice - 1) + " more" : ""));
@@ -169,7 +171,7 @@ MergedReport merged(const std::vector<ReadReport>& reports) {
   if (reports.front().run.shard)
     for (const std::string& name : reports.front().run.shard->cases) cases.named(name);
   for (const ReadReport& report : reports)
-    for (const FileRecord& file : report.run.files) {
+    report.run.files.for_each([&](const FileRecord& file) {
       if (!file.unreadable.empty() &&
           std::none_of(unreadable.begin(), unreadable.end(),
                        [&](const FileRecord& other) { return other.path == file.path; }))
@@ -184,7 +186,7 @@ MergedReport merged(const std::vector<ReadReport>& reports) {
         into.shown.insert(into.shown.end(), of.shown.begin(), of.shown.end());
         if (of.audit) into.audit = of.audit;
       }
-    }
+    });
   all.cases = cases.all();
   for (CaseRecord& of : all.cases)
     std::stable_sort(of.claims.begin(), of.claims.end(),

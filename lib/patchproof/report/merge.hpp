@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <patchproof/report/record.hpp>
+#include <patchproof/report/run_record.hpp>
 
 namespace patchproof {
 

@@ -10,27 +10,6 @@
 
 namespace patchproof {
 
-namespace {
-
-ExitCode code_of(const ClaimRecord& claim, bool strict) {
-  switch (claim.outcome) {
-    case Outcome::as_expected:
-      return needs_attention(claim, strict) ? ExitCode::conditional : ExitCode::as_expected;
-    case Outcome::wrong:
-      return ExitCode::wrong;
-    case Outcome::unknown:
-      return ExitCode::unknown;
-    case Outcome::vacuous:
-      return ExitCode::conditional;
-    case Outcome::error:
-      return ExitCode::unreadable;
-    default:
-      return ExitCode::internal;
-  }
-}
-
-}  // namespace
-
 FilePlace place_at(const Span& span) {
   if (!span.source) return {};
   const Position position = position_of(*span.source, span.begin);
@@ -109,36 +88,9 @@ FileRecord record_of(const FileReport& file) {
   return record;
 }
 
-RunRecord record_of(const Report& report) {
-  RunRecord run{{}, report.strict, std::nullopt};
-  for (const FileReport& file : report.files) run.files.push_back(record_of(file));
-  return run;
-}
-
 bool needs_attention(const ClaimRecord& claim, bool strict) {
   const bool conditional = claim.decision.verdict == Verdict::proved_if;
   return claim.outcome != Outcome::as_expected || (strict && conditional);
-}
-
-ExitCode exit_code(const RunRecord& run) {
-  ExitCode worst = ExitCode::as_expected;
-  bool ran = false;
-  for (const FileRecord& file : run.files) {
-    if (!file.unreadable.empty() || !file.diagnostics.empty())
-      worst = graver(worst, ExitCode::unreadable);
-    for (const CaseRecord& of : file.cases) {
-      for (const ClaimRecord& claim : of.claims) {
-        ran = true;
-        worst = graver(worst, code_of(claim, run.strict));
-      }
-      if (of.audit && of.audit->has_flagged) worst = graver(worst, ExitCode::wrong);
-      const bool lost = (of.audit && of.audit->is_lost) ||
-                        std::any_of(of.shown.begin(), of.shown.end(),
-                                    [](const ShownRecord& shown) { return shown.is_lost; });
-      if (lost) worst = graver(worst, ExitCode::unknown);
-    }
-  }
-  return ran ? worst : graver(worst, ExitCode::nothing_ran);
 }
 
 }  // namespace patchproof

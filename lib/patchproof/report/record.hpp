@@ -106,13 +106,6 @@ struct ShardRecord {
   std::vector<std::string> cases;
 };
 
-/// A run as its report tells it.
-struct RunRecord {
-  std::vector<FileRecord> files;
-  bool strict = false;
-  std::optional<ShardRecord> shard;
-};
-
 ClaimRecord record_of(const Case& of, const ClaimResult& result);
 ShownRecord record_of(const ShownResult& shown);
 AuditRecord record_of(const CaseAudit& audit);
@@ -120,11 +113,7 @@ DiagnosticRecord record_of(const Diagnostic& diagnostic);
 /// Without claims, shown terms and audit.
 CaseRecord record_of(const Case& given);
 FileRecord record_of(const FileReport& file);
-RunRecord record_of(const Report& report);
 
 bool needs_attention(const ClaimRecord& claim, bool strict);
-
-/// What a run with this record ends with: the gravest of what happened in it.
-ExitCode exit_code(const RunRecord& run);
 
 }  // namespace patchproof

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include <patchproof/report/record.hpp>
+#include <patchproof/report/run_record.hpp>
 
 namespace patchproof {
 

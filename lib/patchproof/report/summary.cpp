@@ -60,23 +60,23 @@ std::string to_text(Outcome outcome) {
   }
 }
 
-Summary summary_of(const RunRecord& run) {
-  Summary summary;
-  for (const FileRecord& file : run.files) {
-    summary.mistakes += file.diagnostics.size();
-    if (!file.unreadable.empty()) ++summary.unreadable_files;
-    summary.cases += file.cases.size();
-    for (const CaseRecord& of : file.cases) {
-      for (const ClaimRecord& claim : of.claims) {
-        ++summary.claims;
-        ++summary.outcomes[claim.outcome];
-        if (claim.outcome != Outcome::as_expected) continue;
-        ++summary.expected_verdicts[claim.decision.verdict];
-        if (claim.decision.verdict == Verdict::proved_if) ++summary.conditional;
-      }
+void add(const FileRecord& file, Summary& summary) {
+  summary.mistakes += file.diagnostics.size();
+  if (!file.unreadable.empty()) ++summary.unreadable_files;
+  summary.cases += file.cases.size();
+  for (const CaseRecord& of : file.cases) {
+    for (const ClaimRecord& claim : of.claims) {
+      ++summary.claims;
+      ++summary.outcomes[claim.outcome];
+      if (claim.outcome != Outcome::as_expected) continue;
+      ++summary.expected_verdicts[claim.decision.verdict];
+      if (claim.decision.verdict == Verdict::proved_if) ++summary.conditional;
     }
+    if (of.audit && of.audit->has_flagged) ++summary.flagged;
+    if (of.audit && of.audit->is_lost) ++summary.lost;
+    summary.lost += static_cast<std::size_t>(std::count_if(
+        of.shown.begin(), of.shown.end(), [](const ShownRecord& shown) { return shown.is_lost; }));
   }
-  return summary;
 }
 
 std::string in_words(const Summary& summary) {

@@ -20,9 +20,14 @@ struct Summary {
   /// Mistakes in the texts.
   std::size_t mistakes = 0;
   std::size_t unreadable_files = 0;
+  /// Cases with assumptions that nothing needs, where that was asked.
+  std::size_t flagged = 0;
+  /// Terms to show and audits that were lost with whoever worked on them.
+  std::size_t lost = 0;
 };
 
-Summary summary_of(const RunRecord& run);
+/// Adds what happened in one more file.
+void add(const FileRecord& file, Summary& summary);
 
 /// One word for JSON: "as_expected", "wrong", …
 std::string to_text(Outcome outcome);

@@ -29,37 +29,46 @@ std::string joint_as_written(const ShownRecord& shown) {
 
 class TextReport {
  public:
-  TextReport(const RunRecord& run, const ReportStyle& style) : run_{run}, style_{style} {
-    for_each_case([&](const CaseRecord& of) {
-      for (const ClaimLine& line : lines_of(of))
-        width_ = std::max(width_, std::min(line.id.size(), widest_id));
-    });
-  }
+  TextReport(const RunRecord& run, const ReportStyle& style, const ReportSink& sink)
+      : run_{run}, style_{style}, sink_{sink} {}
 
-  std::string text() {
+  void write() {
     if (style_.verbosity != Verbosity::quiet)
-      for_each_case([&](const CaseRecord& of) { case_lines(of); });
-    for_each_case([&](const CaseRecord& of) { findings(of); });
+      for_each_case([&](const CaseRecord& of) {
+        for (const ClaimLine& line : lines_of(of))
+          width_ = std::max(width_, std::min(line.id.size(), widest_id));
+      });
     for_each_case([&](const CaseRecord& of) {
+      if (style_.verbosity != Verbosity::quiet) tell(case_lines(of));
+      findings(of);
       if (of.audit) audit_lines(*of.audit);
     });
-    if (!text_.empty()) text_ += "\n";
-    const std::string summary = in_words(summary_of(run_));
-    return text_ + (style_.colour ? bold(summary) : summary) + "\n";
+    for (const std::string& paragraph : paragraphs_) tell((told_ ? "\n" : "") + paragraph);
+    for (const std::string& paragraph : audits_) tell((told_ ? "\n" : "") + paragraph);
+    if (told_) tell("\n");
+    const std::string summary = in_words(run_.files.summary());
+    tell((style_.colour ? bold(summary) : summary) + "\n");
   }
 
  private:
+  void tell(const std::string& text) {
+    if (text.empty()) return;
+    told_ = true;
+    sink_(text);
+  }
+
   template <typename Action>
   void for_each_case(const Action& action) const {
-    for (const FileRecord& file : run_.files)
+    run_.files.for_each([&](const FileRecord& file) {
       for (const CaseRecord& of : file.cases) action(of);
+    });
   }
 
   bool verbose() const { return style_.verbosity == Verbosity::verbose; }
 
   void audit_lines(const AuditRecord& audit) {
     const std::string& text = style_.verbosity == Verbosity::quiet ? audit.flagged : audit.text;
-    if (!text.empty()) text_ += (text_.empty() ? "" : "\n") + text;
+    if (!text.empty()) audits_.push_back(text);
   }
 
   std::vector<ClaimLine> lines_of(const CaseRecord& of) const {
@@ -69,21 +78,24 @@ class TextReport {
     return lines;
   }
 
-  void case_lines(const CaseRecord& of) {
+  std::string case_lines(const CaseRecord& of) const {
+    std::string text;
     if (verbose()) {
-      if (!text_.empty()) text_ += "\n";
-      text_ += of.name;
-      if (!of.title.empty()) text_ += ": " + printable(of.title);
-      text_ += "\n";
+      if (told_) text += "\n";
+      text += of.name;
+      if (!of.title.empty()) text += ": " + printable(of.title);
+      text += "\n";
     }
-    for (const ClaimLine& line : lines_of(of)) claim_line(line);
+    for (const ClaimLine& line : lines_of(of)) text += claim_line(line);
     for (const ShownRecord& shown : of.shown)
-      text_ += std::string{shown.is_lost ? "! show  " : "  show  "} + (shown.instance.empty() ? "" : shown.instance + "  ") +
-               (shown.joint ? joint_as_written(shown) + ": " : shown.term + " = ") + shown.value +
-               "\n";
+      text += std::string{shown.is_lost ? "! show  " : "  show  "} +
+              (shown.instance.empty() ? "" : shown.instance + "  ") +
+              (shown.joint ? joint_as_written(shown) + ": " : shown.term + " = ") + shown.value +
+              "\n";
+    return text;
   }
 
-  void claim_line(const ClaimLine& line) {
+  std::string claim_line(const ClaimLine& line) const {
     const ClaimRecord& claim = *line.claim;
     const bool attention = needs_attention(claim, run_.strict);
     std::string verdict = verdict_line(claim.decision);
@@ -92,33 +104,35 @@ class TextReport {
       const bool conditional = attention && claim.outcome == Outcome::as_expected;
       verdict = coloured(verdict, conditional ? Outcome::vacuous : claim.outcome);
     }
-    text_ += (attention ? "! " : "  ") + line.id + std::string(gap + 2, ' ') + verdict;
+    std::string text = (attention ? "! " : "  ") + line.id + std::string(gap + 2, ' ') + verdict;
     if (claim.outcome == Outcome::wrong)
-      text_ += "  (expected " + expected_verdict(claim.expectation) + ")";
-    if (line.instances > 1) text_ += "  (" + std::to_string(line.instances) + " instances)";
-    text_ += "\n";
-    if (verbose()) details(claim);
+      text += "  (expected " + expected_verdict(claim.expectation) + ")";
+    if (line.instances > 1) text += "  (" + std::to_string(line.instances) + " instances)";
+    text += "\n";
+    if (verbose()) text += details(claim);
+    return text;
   }
 
-  void details(const ClaimRecord& claim) {
+  static std::string details(const ClaimRecord& claim) {
     const Decision& decision = claim.decision;
-    text_ += "      " + std::to_string(claim.time.count() / 1000) + " ms";
-    if (decision.evidence != Evidence::none) text_ += ", " + to_text(decision.evidence);
-    if (!decision.certificate.empty()) text_ += " (" + decision.certificate + ")";
+    std::string text = "      " + std::to_string(claim.time.count() / 1000) + " ms";
+    if (decision.evidence != Evidence::none) text += ", " + to_text(decision.evidence);
+    if (!decision.certificate.empty()) text += " (" + decision.certificate + ")";
     std::string used;
     for (const std::string& label : decision.assumptions_used)
       used += (used.empty() ? ", using " : ", ") + label;
-    text_ += used + "\n";
+    text += used + "\n";
     if (const std::string tree = in_words(decision.subdivision); !tree.empty())
-      text_ += "      " + tree + "\n";
+      text += "      " + tree + "\n";
     for (const auto& [name, value] : decision.derived)
-      text_ += "      " + name + " = " + value + "\n";
+      text += "      " + name + " = " + value + "\n";
     for (const auto& [name, value] : decision.details)
-      text_ += "      " + name + ": " + value + "\n";
-    if (decision.verdict != Verdict::refuted) return;
-    text_ += "      false for " + in_words(decision.witness) + ": left side " +
-             decision.witness.left + ", right side " + decision.witness.right + "\n";
-    if (!decision.reason.empty()) text_ += "      " + printable(decision.reason) + "\n";
+      text += "      " + name + ": " + value + "\n";
+    if (decision.verdict != Verdict::refuted) return text;
+    text += "      false for " + in_words(decision.witness) + ": left side " +
+            decision.witness.left + ", right side " + decision.witness.right + "\n";
+    if (!decision.reason.empty()) text += "      " + printable(decision.reason) + "\n";
+    return text;
   }
 
   void findings(const CaseRecord& of) {
@@ -131,40 +145,46 @@ class TextReport {
         ++left_out;
         continue;
       }
-      if (!text_.empty()) text_ += "\n";
-      text_ += claim.finding;
+      paragraphs_.push_back(claim.finding);
     }
     for (const ShownRecord& shown : of.shown)
       if (shown.is_lost)
-        text_ += (text_.empty() ? "" : "\n") + shown.place.file + ":" +
-                 std::to_string(shown.place.line) + ":" + std::to_string(shown.place.column) +
-                 ": " + of.name + ": nothing to show: " + shown.value + "\n";
+        paragraphs_.push_back(shown.place.file + ":" + std::to_string(shown.place.line) + ":" +
+                              std::to_string(shown.place.column) + ": " + of.name +
+                              ": nothing to show: " + shown.value + "\n");
     if (left_out > 0)
-      text_ += "\n" + of.name + ": " + std::to_string(left_out) +
-               " more of the same families need attention\n";
+      paragraphs_.push_back(of.name + ": " + std::to_string(left_out) +
+                            " more of the same families need attention\n");
   }
 
   const RunRecord& run_;
   const ReportStyle& style_;
+  const ReportSink& sink_;
   std::size_t width_ = 0;
-  std::string text_;
+  bool told_ = false;
+  /// What is told after the lines of all claims.
+  std::vector<std::string> paragraphs_;
+  std::vector<std::string> audits_;
 };
 
 }  // namespace
 
-std::string text_report(const RunRecord& run, const ReportStyle& style) {
-  return TextReport{run, style}.text();
+void text_report(const RunRecord& run, const ReportStyle& style, const ReportSink& sink) {
+  TextReport{run, style, sink}.write();
 }
 
 std::string mistakes(const Report& report) { return mistakes(record_of(report)); }
 
 std::string mistakes(const RunRecord& run) {
   std::string text;
-  for (const FileRecord& file : run.files) {
+  const Summary& summary = run.files.summary();
+  // Looking at many files takes its time.
+  if (summary.mistakes == 0 && summary.unreadable_files == 0) return text;
+  run.files.for_each([&](const FileRecord& file) {
     if (!file.unreadable.empty())
       text += "patchproof: cannot read '" + printable(file.path) + "': " + file.unreadable + "\n";
     for (const DiagnosticRecord& diagnostic : file.diagnostics) text += diagnostic.text;
-  }
+  });
   return text;
 }
 

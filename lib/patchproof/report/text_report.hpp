@@ -10,7 +10,7 @@ namespace patchproof {
 /// those that need attention, then a line of numbers.
 ///
 /// What is wrong with the texts themselves is not in it: `mistakes` has that.
-std::string text_report(const RunRecord& run, const ReportStyle& style);
+void text_report(const RunRecord& run, const ReportStyle& style, const ReportSink& sink);
 
 /// What is wrong with the files of the report, one message after the other:
 /// "patchproof: cannot read 'a.proof': No such file or directory", "a.proof:3:24: error: …".
