@@ -17,8 +17,11 @@ using Residue = Modulus::Residue;
 
 /// So many residues are kept at the most: 32 MB.
 constexpr std::size_t most_values = 4'000'000;
-/// More additions and multiplications than this are not begun.
-constexpr std::uint64_t most_work = 30'000'000;
+/// More additions and multiplications than this are not begun: a second or so.
+constexpr std::uint64_t most_work = 200'000'000;
+
+/// The length of the primes.
+constexpr std::uint64_t prime_bits = 61;
 
 /// Calculates all steps of a tape at the points of a grid, modulo a prime.
 class GridRun {
@@ -45,9 +48,7 @@ class GridRun {
     for (std::size_t level = 0; level <= Tape::most_variables; ++level) {
       if (level > 0) points *= std::uint64_t{degrees_[level - 1]} + 1;
       for (const Step step : levels_[level]) {
-        const Entry& entry = tape_.entry(step);
-        const std::uint64_t width = 1 + (entry.high - entry.low);
-        result += points * width * std::max<std::uint64_t>(1, entry.count);
+        result += points * work_of(tape_.entry(step));
       }
       if (points > most_work || result > most_work) return most_work + 1;
     }
@@ -61,6 +62,15 @@ class GridRun {
   }
 
  private:
+  static std::uint64_t width_of(const Entry& entry) { return 1 + (entry.high - entry.low); }
+
+  std::uint64_t work_of(const Entry& entry) const {
+    std::uint64_t result = width_of(entry);
+    for (std::uint32_t k = 0; k < entry.count; ++k)
+      result += width_of(tape_.entry(tape_.summands()[entry.index + k].step));
+    return result;
+  }
+
   // Level 0 is the same everywhere; level k + 1 changes with variable k, and perhaps with earlier
   // ones.
   void find_levels() {
@@ -196,12 +206,14 @@ bool are_zero(const Tape& tape, const std::vector<Step>& steps, Budget& budget) 
   }
   if (wanted.empty()) return true;
   GridRun run{tape, wanted};
+  // Declined before anything is spent: others have to do with what is left.
+  const std::uint64_t work = run.work();
+  const std::uint64_t primes = msb(norm) / (prime_bits - 1) + 1;
+  if (work > most_work / primes) throw Declined{"too much work"};
   Integer product = 1;
   for (const std::uint64_t prime : large_primes()) {
     const Modulus modulus{prime};
     if (!has_residues(tape, modulus)) continue;
-    const std::uint64_t work = run.work();
-    if (work > most_work) throw Declined{"too much work"};
     budget.spend(work);
     if (!run.all_zero(modulus)) return false;
     product *= prime;

@@ -1,74 +1,111 @@
 #include <patchproof/grid/tape.hpp>
 
 #include <algorithm>
-#include <cstring>
 
 namespace patchproof {
 
 namespace {
 
-constexpr std::size_t most_steps = 100'000;
+constexpr std::size_t most_steps = 400'000;
 constexpr unsigned most_bits = 1200;
 constexpr unsigned highest_degree = 10'000;
 
-template <typename Part>
-void append(std::string& key, const Part& part) {
-  char bytes[sizeof(Part)];
-  std::memcpy(bytes, &part, sizeof(Part));
-  key.append(bytes, sizeof(Part));
+// The finalizer of splitmix64: every bit of the result depends on every bit of the words.
+// Source: Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014).
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
+  std::uint64_t x = hash * 0x9e3779b97f4a7c15U + word + 1;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31U);
+}
+
+std::uint64_t hash_of(Tape::Operation operation, std::uint64_t first, std::uint64_t second) {
+  return mixed(mixed(static_cast<std::uint64_t>(operation), first), second);
+}
+
+std::uint64_t hash_of(const Rational& value) {
+  if (!value.is_small())
+    return hash_of(Tape::Operation::number, std::hash<std::string>{}(to_text(value)), 0);
+  return hash_of(Tape::Operation::number, static_cast<std::uint64_t>(value.words().numerator),
+                 static_cast<std::uint64_t>(value.words().denominator));
 }
 
 }  // namespace
 
-Tape::Step Tape::add(const std::string& key, Entry entry) {
+template <typename Same>
+Tape::Step Tape::found(std::uint64_t hash, const Same& same) const {
+  if (index_.empty()) return zero;
+  const std::size_t mask = index_.size() - 1;
+  for (std::size_t place = hash & mask; index_[place] != zero; place = (place + 1) & mask) {
+    const Entry& entry = entries_[index_[place]];
+    if (entry.hash == hash && same(entry)) return index_[place];
+  }
+  return zero;
+}
+
+void Tape::enter(Step step) {
+  const std::size_t mask = index_.size() - 1;
+  std::size_t place = entries_[step].hash & mask;
+  while (index_[place] != zero) place = (place + 1) & mask;
+  index_[place] = step;
+}
+
+Tape::Step Tape::add(std::uint64_t hash, Entry entry) {
   if (entries_.size() >= most_steps) throw Declined{"too many steps"};
   if (entry.norm != 0 && msb(entry.norm) > most_bits) throw Declined{"numbers that are too large"};
   if (msb(entry.denominator) > most_bits) throw Declined{"numbers that are too large"};
   const auto step = static_cast<Step>(entries_.size());
+  entry.hash = hash;
   entries_.push_back(std::move(entry));
-  known_.emplace(key, step);
+  if (2 * entries_.size() > index_.size()) {
+    constexpr std::size_t least = 64;
+    index_.assign(std::max(least, 2 * index_.size()), zero);
+    for (Step one = 0; one < step; ++one) enter(one);
+  }
+  enter(step);
   return step;
 }
 
 Tape::Step Tape::number(const Rational& value) {
   if (value == 0) return zero;
-  std::string key = "n";
-  if (value.is_small()) {
-    append(key, value.words().numerator);
-    append(key, value.words().denominator);
-  } else {
-    key += to_text(value);
-  }
-  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  const std::uint64_t hash = hash_of(value);
+  const auto same = [&](const Entry& entry) {
+    return entry.operation == Operation::number && entry.number == value;
+  };
+  if (const Step step = found(hash, same); step != zero) return step;
   Entry entry{Operation::number};
   entry.number = value;
   entry.denominator = denominator(value);
   entry.norm = boost::multiprecision::abs(numerator(value));
-  return add(key, std::move(entry));
+  return add(hash, std::move(entry));
 }
 
 Tape::Step Tape::variable(std::uint32_t index) {
   if (index >= most_variables) throw Declined{"too many variables"};
-  std::string key = "v";
-  append(key, index);
-  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  const std::uint64_t hash = hash_of(Operation::variable, index, 0);
+  const auto same = [&](const Entry& entry) {
+    return entry.operation == Operation::variable && entry.index == index;
+  };
+  if (const Step step = found(hash, same); step != zero) return step;
   Entry entry{Operation::variable};
   entry.index = index;
   entry.degrees[index] = 1;
   entry.norm = 1;
-  return add(key, std::move(entry));
+  return add(hash, std::move(entry));
 }
 
 Tape::Step Tape::symbol(std::uint32_t index) {
-  std::string key = "s";
-  append(key, index);
-  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  const std::uint64_t hash = hash_of(Operation::symbol, index, 0);
+  const auto same = [&](const Entry& entry) {
+    return entry.operation == Operation::symbol && entry.index == index;
+  };
+  if (const Step step = found(hash, same); step != zero) return step;
   Entry entry{Operation::symbol};
   entry.index = index;
   entry.low = index;
   entry.high = index + 1;
   entry.norm = 1;
-  return add(key, std::move(entry));
+  return add(hash, std::move(entry));
 }
 
 Tape::Step Tape::sum(std::vector<Summand> summands) {
@@ -85,12 +122,14 @@ Tape::Step Tape::sum(std::vector<Summand> summands) {
   std::sort(summands.begin(), summands.end(), [](const Summand& a, const Summand& b) {
     return a.step != b.step ? a.step < b.step : a.negative < b.negative;
   });
-  std::string key = "+";
-  for (const Summand& summand : summands) {
-    append(key, summand.step);
-    key += summand.negative ? '-' : '+';
-  }
-  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  std::uint64_t hash = static_cast<std::uint64_t>(Operation::sum);
+  for (const auto& [step, negative] : summands)
+    hash = mixed(hash, 2 * std::uint64_t{step} + (negative ? 1 : 0));
+  const auto same = [&](const Entry& entry) {
+    return entry.operation == Operation::sum && entry.count == summands.size() &&
+           std::equal(summands.begin(), summands.end(), summands_.begin() + entry.index);
+  };
+  if (const Step step = found(hash, same); step != zero) return step;
   Entry entry{Operation::sum};
   entry.index = static_cast<std::uint32_t>(summands_.size());
   entry.count = static_cast<std::uint32_t>(summands.size());
@@ -113,7 +152,7 @@ Tape::Step Tape::sum(std::vector<Summand> summands) {
     entry.denominator = common;
   }
   summands_.insert(summands_.end(), summands.begin(), summands.end());
-  return add(key, std::move(entry));
+  return add(hash, std::move(entry));
 }
 
 Tape::Step Tape::product(Step a, Step b) {
@@ -124,10 +163,11 @@ Tape::Step Tape::product(Step a, Step b) {
   const auto has_symbols = [&](Step step) { return entries_[step].low < entries_[step].high; };
   if (has_symbols(a) && has_symbols(b)) throw Declined{"a product of symbols"};
   if (has_symbols(b) || (!has_symbols(a) && a < b)) std::swap(a, b);
-  std::string key = "*";
-  append(key, a);
-  append(key, b);
-  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  const std::uint64_t hash = hash_of(Operation::product, a, b);
+  const auto same = [&](const Entry& entry) {
+    return entry.operation == Operation::product && entry.first == a && entry.second == b;
+  };
+  if (const Step step = found(hash, same); step != zero) return step;
   Entry entry{Operation::product};
   const Entry& left = entries_[a];
   const Entry& right = entries_[b];
@@ -142,7 +182,7 @@ Tape::Step Tape::product(Step a, Step b) {
   entry.high = left.high;
   entry.denominator = left.denominator * right.denominator;
   entry.norm = left.norm * right.norm;
-  return add(key, std::move(entry));
+  return add(hash, std::move(entry));
 }
 
 }  // namespace patchproof

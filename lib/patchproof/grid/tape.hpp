@@ -3,8 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <stdexcept>
-#include <string>
-#include <unordered_map>
 #include <vector>
 
 #include <patchproof/algebra/number.hpp>
@@ -53,6 +51,8 @@ class Tape {
     /// most.
     Integer denominator = 1;
     Integer norm = 0;
+    /// Of the calculation: where the index looks for it first.
+    std::uint64_t hash = 0;
   };
 
   Step number(const Rational& value);
@@ -72,12 +72,17 @@ class Tape {
   Rational number_of(Step step) const { return step == zero ? Rational{} : entries_[step].number; }
 
  private:
-  Step add(const std::string& key, Entry entry);
+  /// The step that is already there with this hash and this property, or `zero`.
+  template <typename Same>
+  Step found(std::uint64_t hash, const Same& same) const;
+  Step add(std::uint64_t hash, Entry entry);
+  void enter(Step step);
 
   std::vector<Entry> entries_;
   std::vector<Summand> summands_;
-  /// The same calculation is written down once.
-  std::unordered_map<std::string, Step> known_;
+  /// The same calculation is written down once: a hash table of all steps with places to spare,
+  /// whose number is a power of two; `zero` where there is none.
+  std::vector<Step> index_;
 };
 
 }  // namespace patchproof

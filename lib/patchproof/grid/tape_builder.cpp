@@ -9,7 +9,7 @@ namespace patchproof {
 namespace {
 
 constexpr std::size_t longest_series = 256;
-constexpr std::size_t most_components = 10'000;
+constexpr std::size_t most_components = 150'000;
 constexpr std::size_t most_work = 2'000'000;
 constexpr long highest_power = 64;
 

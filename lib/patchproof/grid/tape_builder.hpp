@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -34,7 +35,7 @@ class TapeBuilder {
  private:
   using Step = Tape::Step;
   /// Basis functions of higher degrees are left to others.
-  static constexpr int highest_basis = 64;
+  static constexpr int highest_basis = 256;
   using Series = std::vector<Step>;
   using Value = std::vector<Series>;
 
@@ -45,6 +46,10 @@ class TapeBuilder {
     std::size_t length = 1;
     std::map<unsigned, Series> formals;
     std::unordered_map<const TermNode*, Value> values;
+    /// Of each base those that were needed, from the power 0 on.
+    std::map<Series, std::vector<Series>> powers;
+    /// Bernstein polynomials by argument, degree and index.
+    std::map<std::tuple<Series, int, int>, Series> bernstein;
   };
 
   const Value& value(const Term& term, Scope& scope);
@@ -60,8 +65,9 @@ class TapeBuilder {
   Value of_dot(const Term& term, Scope& scope);
   Value of_cross(const Term& term, Scope& scope);
   Value of_polynomial(const std::vector<Rational>& coefficients, const Series& argument,
-                      const Scope& scope);
+                      Scope& scope);
   Value of_bernstein(const Term& term, Scope& scope);
+  Series bernstein(const Series& argument, int degree, int index, Scope& scope);
 
   /// Counts what writing down costs.
   /// @throws Declined when it is too much.
@@ -69,7 +75,7 @@ class TapeBuilder {
   Series constant(Step step, const Scope& scope) const;
   Series sum(const std::vector<std::pair<const Series*, bool>>& parts);
   Series product(const Series& a, const Series& b, const Scope& scope);
-  Series power(const Series& base, unsigned exponent, const Scope& scope);
+  Series power(const Series& base, unsigned exponent, Scope& scope);
 
   Tape& tape_;
   std::map<unsigned, Term> known_;

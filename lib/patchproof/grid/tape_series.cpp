@@ -4,7 +4,7 @@ namespace patchproof {
 
 // c0 + c1*t + c2*t^2 + …
 TapeBuilder::Value TapeBuilder::of_polynomial(const std::vector<Rational>& coefficients,
-                                              const Series& argument, const Scope& scope) {
+                                              const Series& argument, Scope& scope) {
   std::vector<Series> parts;
   for (std::size_t k = 0; k < coefficients.size(); ++k)
     parts.push_back(product(power(argument, static_cast<unsigned>(k), scope),
@@ -21,13 +21,21 @@ TapeBuilder::Value TapeBuilder::of_bernstein(const Term& term, Scope& scope) {
   const Series& t = value(term.child(0), scope).front();
   if (index < 0 || index > degree) return {constant(Tape::zero, scope)};
   if (degree > highest_basis) throw Declined{"too high a degree"};
+  // A sum of Bézier points has each of them many times.
+  Series& known = scope.bernstein[{t, degree, index}];
+  if (known.empty()) known = bernstein(t, degree, index, scope);
+  return {known};
+}
+
+TapeBuilder::Series TapeBuilder::bernstein(const Series& argument, int degree, int index,
+                                           Scope& scope) {
   const Series one = constant(tape_.number(1), scope);
-  const Series rest = sum({{&one, false}, {&t, true}});
+  const Series rest = sum({{&one, false}, {&argument, true}});
   Rational choices{1};
   for (int k = 1; k <= index; ++k) choices = choices * Rational{degree - index + k} / Rational{k};
-  const Series both = product(power(t, static_cast<unsigned>(index), scope),
+  const Series both = product(power(argument, static_cast<unsigned>(index), scope),
                               power(rest, static_cast<unsigned>(degree - index), scope), scope);
-  return {product(both, constant(tape_.number(choices), scope), scope)};
+  return product(both, constant(tape_.number(choices), scope), scope);
 }
 
 TapeBuilder::Series TapeBuilder::constant(Step step, const Scope& scope) const {
@@ -72,10 +80,11 @@ TapeBuilder::Series TapeBuilder::product(const Series& a, const Series& b, const
   return result;
 }
 
-TapeBuilder::Series TapeBuilder::power(const Series& base, unsigned exponent, const Scope& scope) {
-  Series result = constant(tape_.number(1), scope);
-  for (unsigned k = 0; k < exponent; ++k) result = product(result, base, scope);
-  return result;
+TapeBuilder::Series TapeBuilder::power(const Series& base, unsigned exponent, Scope& scope) {
+  std::vector<Series>& powers = scope.powers[base];
+  if (powers.empty()) powers.push_back(constant(tape_.number(1), scope));
+  while (powers.size() <= exponent) powers.push_back(product(powers.back(), base, scope));
+  return powers[exponent];
 }
 
 }  // namespace patchproof
