@@ -1,0 +1,125 @@
+"""How each peer is started, and what it says."""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+from dataclasses import dataclass
+
+import claims
+
+HERE = pathlib.Path(__file__).resolve().parent
+PEERS = HERE / "peers"
+OURS = "patchproof"
+
+
+@dataclass
+class Result:
+    """One peer, one workload, one size. Times are medians in nanoseconds."""
+    status: str  # "ok", "slow", "wrong", "failed", "unknown"
+    true_ns: float = 0
+    mutant_ns: float = 0
+    reading_ns: float = 0
+    note: str = ""
+
+
+def _number(workload):
+    return workload[1:]
+
+
+def _python(script):
+    return lambda workload, n, seconds, _: (
+        [sys.executable, str(PEERS / script), workload, str(n), str(seconds)], "")
+
+
+def _compiled(program):
+    return lambda workload, n, seconds, programs: (
+        [str(programs / program), workload, str(n), str(seconds)], "")
+
+
+def _maxima(workload, n, seconds, _):
+    start = f'workload:{_number(workload)}$ n:{n}$ seconds:{seconds}$ load("{PEERS}/maxima.mac")$'
+    return ["maxima", "--very-quiet", "--batch-string=" + start], ""
+
+
+def _singular(workload, n, seconds, _):
+    return ["Singular", "-q"], (f"int workload={_number(workload)}; int size_n={n};\n"
+                                f"int seconds={round(1000 * seconds)};\n"
+                                f'< "{PEERS}/singular.sing";\n')
+
+
+def _pari(workload, n, seconds, _):
+    # A new size of the stack ends the line it stands on.
+    return ["gp", "-q", "-f"], (f"default(parisizemax, 8*10^9);\nworkload={_number(workload)};"
+                                f'n={n};seconds={seconds};read("{PEERS}/pari.gp")\n')
+
+
+COMMANDS = {
+    "SymPy expand": _python("sympy_expand.py"),
+    "SymPy ring": _python("sympy_ring.py"),
+    "Maxima rat": _maxima,
+    "GiNaC expand": _compiled("ginac_expand"),
+    "Singular": _singular,
+    "PARI": _pari,
+    "FLINT mpoly": _compiled("flint_mpoly"),
+}
+
+
+def _finished(command, text, limit):
+    """What a command prints, or what it had printed when its time was over, and whether it was."""
+    environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", LC_ALL="C.UTF-8")
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True, env=environment)
+    try:
+        out, errors = process.communicate(text, timeout=limit)
+        return out, errors, False
+    except subprocess.TimeoutExpired:
+        process.kill()
+        out, errors = process.communicate()
+        return out, errors, True
+
+
+def run_peer(name, workload, n, options):
+    """The true claim has to be proved, its mutant not."""
+    command, text = COMMANDS[name](workload, n, options.seconds, options.programs)
+    # Both claims have to come to an end, each within the limit.
+    out, errors, over = _finished(command, text, 2 * options.limit)
+    said = {}
+    for line in out.splitlines():
+        words = line.split()
+        if len(words) == 3 and words[0] in ("true", "mutant"):
+            said[words[0]] = (float(words[1]), words[2])
+    if over or any(ns > 1e9 * options.limit for ns, _ in said.values()):
+        return Result("slow")
+    if set(said) != {"true", "mutant"}:
+        return Result("failed", note=(errors or out).strip()[-300:])
+    right = said["true"][1] == "1" and said["mutant"][1] == "0"
+    return Result("ok" if right else "wrong", said["true"][0], said["mutant"][0],
+                  note="" if right else f"true: {said['true'][1]}, mutant: {said['mutant'][1]}")
+
+
+def run_ours(workload, n, options):
+    """The same for patchproof, whose claims are texts."""
+    files = []
+    for mutant in (0, 1):
+        path = options.folder / f"{workload}_{n}_{'mutant' if mutant else 'true'}.proof"
+        path.write_text(claims.text(workload, n, mutant))
+        files.append(path)
+    said = []
+    for path in files:
+        command = [str(options.programs / "patchproof_bench"), str(options.seconds), str(path)]
+        out, errors, over = _finished(command, "", options.limit)
+        words = out.strip().split(" ", 2)
+        if over or len(words) == 3 and float(words[0]) > 1e9 * options.limit:
+            return Result("slow")
+        if len(words) != 3:
+            return Result("failed", note=(errors or out).strip()[-300:])
+        said.append((float(words[0]), float(words[1]), words[2]))
+    verdicts = [verdict for _, _, verdict in said]
+    note = ", ".join(verdicts)
+    if verdicts[0].startswith("UNKNOWN") or verdicts[1].startswith("UNKNOWN"):
+        return Result("unknown", said[0][0], said[1][0], said[0][1], note)
+    right = verdicts == ["PROVED", "REFUTED"]
+    return Result("ok" if right else "wrong", said[0][0], said[1][0], said[0][1],
+                  "" if right else note)

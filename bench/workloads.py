@@ -1,0 +1,27 @@
+"""What is measured: for each workload its sizes and who takes part."""
+
+from dataclasses import dataclass
+
+POLYNOMIALS = ("SymPy expand", "SymPy ring", "Maxima rat", "GiNaC expand", "Singular", "PARI",
+               "FLINT mpoly")
+
+
+@dataclass(frozen=True)
+class Workload:
+    title: str
+    sizes: tuple
+    quick: tuple
+    peers: tuple
+    size: str = "n"
+    # Whether a growth exponent is fitted.
+    fit: bool = False
+
+
+WORKLOADS = {
+    "W1": Workload("Coons patch of degree-n Bézier edges = Bézier patch of the discrete Coons net",
+                   (3, 5, 8, 12, 20, 40), (3, 8, 12), POLYNOMIALS, fit=True),
+    "W2": Workload("∂⁴r/∂u²∂v² = 0 for the same patch",
+                   (3, 5, 8, 12, 20, 40), (3, 8, 12), POLYNOMIALS, fit=True),
+    "W3": Workload("permanence: the part over a symbolic rectangle is the Coons patch of its edges",
+                   (3, 5, 8, 12, 20), (3, 5, 8), POLYNOMIALS, fit=True),
+}
