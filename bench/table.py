@@ -69,7 +69,7 @@ def workload_tables(key, workload, sizes, results, limit):
             slope = exponent(good_times(row))
             cells.append("" if slope is None else f"{slope:.2f}")
         rows.append(cells)
-        if name == "patchproof":
+        if any(result.reading_ns for result in row.values()):
             rows.append(["… reading the text too"] +
                         [time_text(row[n].reading_ns) if n in row and row[n].status == "ok" else "–"
                          for n in sizes] + ([""] if workload.fit else []))

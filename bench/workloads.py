@@ -24,4 +24,6 @@ WORKLOADS = {
                    (3, 5, 8, 12, 20, 40), (3, 8, 12), POLYNOMIALS, fit=True),
     "W3": Workload("permanence: the part over a symbolic rectangle is the Coons patch of its edges",
                    (3, 5, 8, 12, 20), (3, 5, 8), POLYNOMIALS, fit=True),
+    "W7": Workload("whole processes: so many small claims from text, start-up included",
+                   (1, 1000), (1, 1000), (), size="claims"),
 }
