@@ -2,6 +2,8 @@
 
 A mutant is the same claim with one thing wrong, and goes the same way through the program."""
 
+from nets import coordinate, plane_net
+
 
 def _patch(n):
     return ["param u, v in [0, 1]", f"point V[0..{n}, 0..{n}]", "patch b(u,v) = bezier(V)",
@@ -30,7 +32,46 @@ def w3(n, mutant):
         "prove claim: own == q"]
 
 
+def w4(n, mutant):
+    """The Bézier points of neighbouring segments, which share their edge, have equal first and second
+    differences there. The mutant has one knot in the wrong place."""
+    rows = " ; ".join(", ".join("({}/{},{}/{},{}/{})".format(*coordinate(i, j, 0), *coordinate(i, j, 1),
+                                                          *coordinate(i, j, 2)) for j in range(n))
+                      for i in range(n))
+    knots = [0, 0, 0] + list(range(n - 2)) + [n - 3] * 3
+    if mutant:
+        knots[4] = "4/5"
+    m = 3 * (n - 3)
+    lines = [f"matrix d = [{rows}]",
+             f"spline S = bspline(d, degree 3, knots [{', '.join(map(str, knots))}])"
+             if mutant else "spline S = bspline(d, degree 3, 3, clamped uniform)",
+             "let B = bezier_net(S)"]
+    for name, at in (("u", "B[{}, 0..%d]" % m), ("v", "B[0..%d, {}]" % m)):
+        p = [at.format(f"3*k{shift}") for shift in ("-2", "-1", "", "+1", "+2")]
+        lines.append(f"prove C1_{name}: {p[3]} - {p[2]} == {p[2]} - {p[1]} for k in 1..{n - 4}")
+        lines.append(f"prove C2_{name}: {p[4]} - 2*{p[3]} + {p[2]} == {p[2]} - 2*{p[1]} + {p[0]} "
+                     f"for k in 1..{n - 4}")
+    return lines
+
+
+def w5(n, mutant):
+    """The mutant is the net with one point wrong."""
+    wrong = (f" + {mutant}/{n * n}*bernstein({n}, 1, u)*bernstein({n}, 1, v)*V[0,1]" if mutant
+             else "")
+    return ["param u, v in [0, 1]", f"scalar V[0..{n}, 0..{n}], q[0..{n}, 0..{n}]",
+            "patch c(u,v) = bezier(discrete_coons(V))" + wrong, "patch p(u,v) = bezier(q)",
+            "let E(q) = integral(q_uv^2, u in [0, 1], v in [0, 1])",
+            "prove claim: c minimizes E(p) over p where p == bezier(V) on boundary"]
+
+
+def w6(n, mutant):
+    x, y = plane_net(n, mutant)
+    rows = " ; ".join(", ".join(f"({a},{b})" for a, b in zip(*row)) for row in zip(x, y))
+    return ["param u, v in [0, 1]", f"matrix V = [{rows}]", "patch r(u,v) = bezier(V)",
+            "prove claim: det(r_u, r_v) > 0"]
+
+
 def text(workload, n, mutant):
-    lines = {"W1": w1, "W2": w2, "W3": w3}[workload](n, mutant)
+    lines = {"W1": w1, "W2": w2, "W3": w3, "W4": w4, "W5": w5, "W6": w6}[workload](n, mutant)
     return "\n".join([f"case bench.{workload.lower()}"] + ["  " + line for line in lines]
                      + ["end", ""])

@@ -11,6 +11,7 @@ import record
 from processes import run_processes
 from runners import OURS, run_ours, run_peer
 from table import workload_tables
+from targets import target_table
 from workloads import WORKLOADS
 
 
@@ -67,7 +68,8 @@ def main():
         everything[key] = measured(key, workload, sizes, options)
         tables.append(f"**{key}**: {workload.title}\n\n"
                       + workload_tables(key, workload, sizes, everything[key], options.limit))
-    text = record.heading(options) + "\n\n" + "\n\n".join(tables) + "\n"
+    text = record.heading(options) + "\n\n" + "\n\n".join(tables)
+    text += "\n\n**Targets**\n\n" + target_table(everything) + "\n"
     print(text)
     record.write_json(everything, options)
     if options.write_docs:

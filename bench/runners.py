@@ -8,6 +8,7 @@ import sys
 from dataclasses import dataclass
 
 import claims
+import nets
 
 HERE = pathlib.Path(__file__).resolve().parent
 PEERS = HERE / "peers"
@@ -21,6 +22,7 @@ class Result:
     true_ns: float = 0
     mutant_ns: float = 0
     reading_ns: float = 0
+    memory_kb: float = 0
     note: str = ""
 
 
@@ -28,31 +30,39 @@ def _number(workload):
     return workload[1:]
 
 
+def _words(workload, n, options):
+    """What every peer with a command line is told; where the nets of W6 are comes last."""
+    data = [str(options.folder)] if workload == "W6" else []
+    return [workload, str(n), str(options.seconds)] + data
+
+
 def _python(script):
-    return lambda workload, n, seconds, _: (
-        [sys.executable, str(PEERS / script), workload, str(n), str(seconds)], "")
+    return lambda workload, n, options: (
+        [sys.executable, str(PEERS / script)] + _words(workload, n, options), "")
 
 
 def _compiled(program):
-    return lambda workload, n, seconds, programs: (
-        [str(programs / program), workload, str(n), str(seconds)], "")
+    return lambda workload, n, options: (
+        [str(options.programs / program)] + _words(workload, n, options), "")
 
 
-def _maxima(workload, n, seconds, _):
-    start = f'workload:{_number(workload)}$ n:{n}$ seconds:{seconds}$ load("{PEERS}/maxima.mac")$'
+def _maxima(workload, n, options):
+    start = (f"workload:{_number(workload)}$ n:{n}$ seconds:{options.seconds}$ "
+             f'load("{PEERS}/maxima.mac")$')
     return ["maxima", "--very-quiet", "--batch-string=" + start], ""
 
 
-def _singular(workload, n, seconds, _):
+def _singular(workload, n, options):
     return ["Singular", "-q"], (f"int workload={_number(workload)}; int size_n={n};\n"
-                                f"int seconds={round(1000 * seconds)};\n"
+                                f"int seconds={round(1000 * options.seconds)};\n"
                                 f'< "{PEERS}/singular.sing";\n')
 
 
-def _pari(workload, n, seconds, _):
+def _pari(workload, n, options):
     # A new size of the stack ends the line it stands on.
     return ["gp", "-q", "-f"], (f"default(parisizemax, 8*10^9);\nworkload={_number(workload)};"
-                                f'n={n};seconds={seconds};read("{PEERS}/pari.gp")\n')
+                                f'n={n};seconds={options.seconds};folder="{options.folder}";'
+                                f'read("{PEERS}/pari.gp")\n')
 
 
 COMMANDS = {
@@ -63,6 +73,13 @@ COMMANDS = {
     "Singular": _singular,
     "PARI": _pari,
     "FLINT mpoly": _compiled("flint_mpoly"),
+    "FLINT fmpq": _compiled("flint_net"),
+    "FLINT matrix": _compiled("flint_matrix"),
+    "FLINT fmpz": _compiled("flint_matrix"),
+    "CLN (GiNaC's numbers)": _compiled("cln_net"),
+    "SymPy numbers": _python("sympy_net.py"),
+    "SymPy matrix": _python("sympy_matrix.py"),
+    "SymPy (Python integers)": _python("sympy_matrix.py"),
 }
 
 
@@ -82,7 +99,9 @@ def _finished(command, text, limit):
 
 def run_peer(name, workload, n, options):
     """The true claim has to be proved, its mutant not."""
-    command, text = COMMANDS[name](workload, n, options.seconds, options.programs)
+    if workload == "W6":
+        nets.write(options.folder, n)
+    command, text = COMMANDS[name](workload, n, options)
     # Both claims have to come to an end, each within the limit.
     out, errors, over = _finished(command, text, 2 * options.limit)
     said = {}
@@ -110,16 +129,17 @@ def run_ours(workload, n, options):
     for path in files:
         command = [str(options.programs / "patchproof_bench"), str(options.seconds), str(path)]
         out, errors, over = _finished(command, "", options.limit)
-        words = out.strip().split(" ", 2)
-        if over or len(words) == 3 and float(words[0]) > 1e9 * options.limit:
+        words = out.strip().split(" ", 3)
+        if over or len(words) == 4 and float(words[0]) > 1e9 * options.limit:
             return Result("slow")
-        if len(words) != 3:
+        if len(words) != 4:
             return Result("failed", note=(errors or out).strip()[-300:])
-        said.append((float(words[0]), float(words[1]), words[2]))
-    verdicts = [verdict for _, _, verdict in said]
+        said.append((float(words[0]), float(words[1]), words[3], float(words[2])))
+    verdicts = [verdict for _, _, verdict, _ in said]
     note = ", ".join(verdicts)
     if verdicts[0].startswith("UNKNOWN") or verdicts[1].startswith("UNKNOWN"):
-        return Result("unknown", said[0][0], said[1][0], said[0][1], note)
+        return Result("unknown", said[0][0], said[1][0], said[0][1],
+                      said[0][3], note)
     right = verdicts == ["PROVED", "REFUTED"]
     return Result("ok" if right else "wrong", said[0][0], said[1][0], said[0][1],
-                  "" if right else note)
+                  said[0][3], "" if right else note)
