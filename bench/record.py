@@ -21,7 +21,8 @@ def _output(*command):
 
 
 def versions(options):
-    found = {"patchproof": _output(str(options.build / "bin/patchproof"), "--version").split()[-1],
+    found = {"patchproof": _output(str(options.build / "bin/patchproof"), "--version")
+             .removeprefix("patchproof "),
              "commit": _output("git", "rev-parse", "--short", "HEAD")}
     for package in PACKAGES:
         found[package] = _output("dpkg-query", "--show", "--showformat=${Version}", package)
