@@ -9,7 +9,7 @@ tex_packages  := texlive-luatex texlive-latex-recommended texlive-pictures latex
 coq_packages  := coq libcoq-coquelicot
 test_packages := catch2 clang-14 libclang-rt-14-dev python3-sympy parallel $(tex_packages) \
                  $(coq_packages)
-bench_packages := python3-sympy maxima singular-ui singular-modules pari-gp libflint-dev
+bench_packages := python3-sympy python3-gmpy2 maxima singular-ui singular-modules pari-gp libflint-dev
 program       := build/release/bin/patchproof
 build         := cmake --build -j $(shell nproc) --preset
 run_tests     := ctest -j $(shell nproc) --preset

@@ -5,10 +5,9 @@ The inputs are written so that each peer says 1 or 0 for each claim."""
 import resource
 import statistics
 import subprocess
-import sys
 import time
 
-from runners import PEERS, Result
+from runners import PEERS, PYTHON, Result
 from small_claims import small_claims
 
 
@@ -49,7 +48,7 @@ def commands(claims, options):
     maxima.write_text(maxima_text(claims))
     lines = "\n".join(differences(claims)) + "\n"
     check = [str(options.build / "bin/patchproof"), "check", "--jobs", "1", "--quiet", str(case)]
-    python = [sys.executable, "-B"]
+    python = [PYTHON, "-B"]
     return {
         "patchproof": (check + ["--engines", "kernel"], ""),
         "patchproof, usual engines": (check + ["--engines", "usual"], ""),

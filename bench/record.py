@@ -8,7 +8,7 @@ import subprocess
 
 from table import exponent, good_times
 
-PACKAGES = ("python3-sympy", "maxima", "libginac-dev", "singular-ui", "libpari-dev", "pari-gp",
+PACKAGES = ("python3-sympy", "python3-gmpy2", "maxima", "libginac-dev", "singular-ui", "pari-gp",
             "libflint-dev")
 BEGIN, END = "<!-- bench: begin -->", "<!-- bench: end -->"
 

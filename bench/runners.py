@@ -2,8 +2,8 @@
 
 import os
 import pathlib
+import signal
 import subprocess
-import sys
 
 from dataclasses import dataclass
 
@@ -13,6 +13,8 @@ import nets
 HERE = pathlib.Path(__file__).resolve().parent
 PEERS = HERE / "peers"
 OURS = "patchproof"
+# That of the Debian packages, whichever else there may be.
+PYTHON = "/usr/bin/python3"
 
 
 @dataclass
@@ -38,7 +40,7 @@ def _words(workload, n, options):
 
 def _python(script):
     return lambda workload, n, options: (
-        [sys.executable, str(PEERS / script)] + _words(workload, n, options), "")
+        [PYTHON, str(PEERS / script)] + _words(workload, n, options), "")
 
 
 def _compiled(program):
@@ -77,6 +79,8 @@ COMMANDS = {
     "FLINT matrix": _compiled("flint_matrix"),
     "FLINT fmpz": _compiled("flint_matrix"),
     "CLN (GiNaC's numbers)": _compiled("cln_net"),
+    "GiNaC matrix": _compiled("ginac_matrix"),
+    "Maxima matrix": _maxima,
     "SymPy numbers": _python("sympy_net.py"),
     "SymPy matrix": _python("sympy_matrix.py"),
     "SymPy (Python integers)": _python("sympy_matrix.py"),
@@ -87,12 +91,14 @@ def _finished(command, text, limit):
     """What a command prints, or what it had printed when its time was over, and whether it was."""
     environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", LC_ALL="C.UTF-8")
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                               stderr=subprocess.PIPE, text=True, env=environment)
+                               stderr=subprocess.PIPE, text=True, env=environment,
+                               start_new_session=True)
     try:
         out, errors = process.communicate(text, timeout=limit)
         return out, errors, False
     except subprocess.TimeoutExpired:
-        process.kill()
+        # Some are started by a script of their own.
+        os.killpg(process.pid, signal.SIGKILL)
         out, errors = process.communicate()
         return out, errors, True
 
