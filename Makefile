@@ -95,7 +95,7 @@ bench: packages build/release/build.ninja
 
 format:
 	@cmake/install_packages clang-format
-	@find lib recheck verify tests -name '*.[ch]pp' | xargs clang-format -i
+	@find bench lib recheck verify tests -name '*.[ch]pp' -o -name '*.[ch]' | xargs clang-format -i
 
 clean:
 	@rm -rf build

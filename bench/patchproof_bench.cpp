@@ -1,6 +1,7 @@
 // patchproof_bench SECONDS FILE...: decides the claims of each file again and again, by the kernel
 // alone. Prints, for each file, "NANOSECONDS NANOSECONDS_WITH_READING KILOBYTES VERDICT": medians
-// of processor time without the start of the process, and the most memory that was in use. PROVED means all claims, REFUTED at least one.
+// of processor time without the start of the process, and the most memory that was in use. PROVED
+// means all claims, REFUTED at least one.
 //
 // A case is read anew before each decision, because terms may remember their values.
 #include <sys/resource.h>
@@ -90,8 +91,8 @@ int main(int argc, char** argv) {
     }
     rusage used{};
     getrusage(RUSAGE_SELF, &used);
-    std::printf("%.0f %.0f %ld %s\n", 1e9 * median(times.deciding),
-                1e9 * median(times.reading_too), used.ru_maxrss, times.verdict.c_str());
+    std::printf("%.0f %.0f %ld %s\n", 1e9 * median(times.deciding), 1e9 * median(times.reading_too),
+                used.ru_maxrss, times.verdict.c_str());
     std::fflush(stdout);
   }
 }

@@ -1,6 +1,5 @@
-"""W7: whole processes, their start included; so many small claims, read as text.
-
-The inputs are written so that each peer says 1 or 0 for each claim."""
+"""Whole processes, their start included. W7: so many small claims, read as text; the inputs are
+written so that each peer says 1 or 0 for each claim."""
 
 import resource
 import statistics
@@ -10,6 +9,10 @@ import time
 from runners import PEERS, PYTHON, Result
 from small_claims import small_claims
 
+
+# Rows of other workloads that are whole processes: name -> command for (n, mutant, options). It has to
+# end with 0 for the true claim and with 1 for the mutant. The name goes to the peers of the workload.
+PROGRAMS = {}
 
 
 def differences(claims):
@@ -104,3 +107,19 @@ def run_processes(n, options):
                 break
         results[name] = result or Result("ok", statistics.median(times))
     return results
+
+
+def run_program(name, n, options):
+    """A row of PROGRAMS."""
+    medians = []
+    for mutant, expected in ((False, 0), (True, 1)):
+        times, begin = [], time.monotonic()
+        while len(times) < 3 or time.monotonic() - begin < options.seconds:
+            said = once(PROGRAMS[name](n, mutant, options), "", options.limit)
+            if said is None:
+                return Result("slow")
+            if said[1] != expected:
+                return Result("wrong", note=f"exit {said[1]} instead of {expected}")
+            times.append(said[0])
+        medians.append(statistics.median(times))
+    return Result("ok", *medians)

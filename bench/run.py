@@ -8,7 +8,7 @@ import pathlib
 import sys
 
 import record
-from processes import run_processes
+from processes import PROGRAMS, run_processes, run_program
 from runners import OURS, run_ours, run_peer
 from table import workload_tables
 from targets import target_table
@@ -49,8 +49,12 @@ def measured(key, workload, sizes, options):
         row = results[name] = {}
         for n in sizes:
             print(f"{key} {name} {workload.size} = {n} …", file=sys.stderr, flush=True)
-            row[n] = (run_ours(key, n, options) if name == OURS
-                      else run_peer(name, key, n, options))
+            if name == OURS:
+                row[n] = run_ours(key, n, options)
+            elif name in PROGRAMS:
+                row[n] = run_program(name, n, options)
+            else:
+                row[n] = run_peer(name, key, n, options)
             if row[n].note:
                 print(f"  {row[n].status}: {row[n].note}", file=sys.stderr, flush=True)
             if row[n].status in ("slow", "failed"):

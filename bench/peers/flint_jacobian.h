@@ -1,5 +1,14 @@
-// W6 of flint_matrix.c: the Jacobian of a plane patch is positive on the unit square, by subdivision
-// of its Bernstein form. Everything is times a positive whole number, so there are no fractions.
+// W6 of flint_matrix.c: the Jacobian of a plane patch is positive on the unit square, by
+// subdivision of its Bernstein form. Everything is times a positive whole number, so there are no
+// fractions.
+#pragma once
+
+#include <flint/fmpz_vec.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+// Where the nets are.
+static const char* data_folder;
 
 // The two coordinates of a net of the plane, row by row.
 static fmpz* read_net(int n, int mutant) {
@@ -80,7 +89,8 @@ static void jacobian(fmpz* result, int n, const fmpz* net) {
 static void halve(fmpz* line, fmpz* second, int side, int step) {
   for (int k = 0; k < side; ++k) {
     fmpz_mul_2exp(second + (side - 1 - k) * step, line + (side - 1) * step, (ulong)(side - 1 - k));
-    for (int i = side - 1; i > k; --i) fmpz_add(line + i * step, line + (i - 1) * step, line + i * step);
+    for (int i = side - 1; i > k; --i)
+      fmpz_add(line + i * step, line + (i - 1) * step, line + i * step);
   }
   for (int k = 0; k < side; ++k)
     fmpz_mul_2exp(line + k * step, line + k * step, (ulong)(side - 1 - k));
@@ -97,8 +107,10 @@ static int positive(fmpz* box, int side, int depth) {
   if (depth == 40) return 0;
   fmpz* second = _fmpz_vec_init(side * side);
   for (int k = 0; k < side; ++k) {
-    if (depth % 2 == 0) halve(box + k, second + k, side, side);
-    else halve(box + k * side, second + k * side, side, 1);
+    if (depth % 2 == 0)
+      halve(box + k, second + k, side, side);
+    else
+      halve(box + k * side, second + k * side, side, 1);
   }
   const int both = positive(box, side, depth + 1) && positive(second, side, depth + 1);
   _fmpz_vec_clear(second, side * side);

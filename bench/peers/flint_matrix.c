@@ -1,13 +1,11 @@
 // W5 and W6 with FLINT's integers and matrices of integers.
 #include <flint/fmpz_mat.h>
-#include <flint/fmpz_vec.h>
 
+#include "flint_jacobian.h"
 #include "measure.h"
 
-static const char* data_folder;
-
-// W5. The energy of a net C is the sum of G[i,k] G[j,l] <C[i,j], C[k,l]>, where G has the integrals of
-// products of derivatives of Bernstein polynomials; here times a whole number.
+// W5. The energy of a net C is the sum of G[i,k] G[j,l] <C[i,j], C[k,l]>, where G has the integrals
+// of products of derivatives of Bernstein polynomials; here times a whole number.
 static void gram(fmpz_mat_t result, int n) {
   const ulong m = (ulong)(n - 1);
   fmpz_t common, a, b, entry;
@@ -48,9 +46,12 @@ static void gram(fmpz_mat_t result, int n) {
 // Adds factor * (point a, b) to the net's point (i, j): all points beside each other in one matrix.
 static void add(fmpz_mat_t nets, slong factor, int n, int i, int j, int a, int b) {
   int k = 0;
-  if (b == 0) k = a;
-  else if (b == n) k = n + 1 + a;
-  else k = 2 * n + 1 + b + (a == n ? n - 1 : 0);
+  if (b == 0)
+    k = a;
+  else if (b == n)
+    k = n + 1 + a;
+  else
+    k = 2 * n + 1 + b + (a == n ? n - 1 : 0);
   fmpz* entry = fmpz_mat_entry(nets, i, k * (n + 1) + j);
   fmpz_add_si(entry, entry, factor);
 }
@@ -135,8 +136,6 @@ static int w5(int n, int mutant) {
   fmpz_mat_clear(gradient);
   return least;
 }
-
-#include "flint_jacobian.h"
 
 int main(int argc, char** argv) {
   const struct Workload all[] = {{"W5", w5}, {"W6", w6}, {NULL, NULL}};

@@ -1,127 +1,93 @@
 // W1, W2, W3 with FLINT's sparse polynomials over the integers.
-//
-// All three claims are linear in the control points. A linear form in them is held as a polynomial
-// in one more variable x, the k-th point being x^k: nothing is lost, and monomials fit into one word,
-// which is many times faster than one variable for each point. Denominators are cleared by hand.
-#include <flint/fmpz_mpoly.h>
-
+#include "flint_patch.h"
 #include "measure.h"
 
-typedef fmpz_mpoly_t Poly;
-typedef fmpz_mpoly_struct* List;
-
-static fmpz_mpoly_ctx_t ring;
-enum { U, V, X, A, B, C, D };  // the rectangle is [a, b] x [c, d]
-
-static List new_list(int size) {
-  List list = malloc(sizeof(fmpz_mpoly_struct) * (size_t)size);
-  for (int i = 0; i < size; ++i) fmpz_mpoly_init(list + i, ring);
-  return list;
-}
-
-static void free_list(List list, int size) {
-  for (int i = 0; i < size; ++i) fmpz_mpoly_clear(list + i, ring);
-  free(list);
-}
-
-// Numbers of the boundary points; inner points have none.
-static ulong point(int n, int i, int j) {
-  if (j == 0) return (ulong)i;
-  if (j == n) return (ulong)(n + 1 + i);
-  return (ulong)(2 * n + 1 + j) + (i == n ? (ulong)(n - 1) : 0);
-}
-
-// sum += factor * (point i, j)
-static void add_point(Poly sum, slong factor, int n, int i, int j) {
-  ulong exponents[7] = {0};
-  exponents[X] = point(n, i, j);
-  fmpz_t old;
-  fmpz_init(old);
-  fmpz_mpoly_get_coeff_fmpz_ui(old, sum, exponents, ring);
-  fmpz_add_si(old, old, factor);
-  fmpz_mpoly_set_coeff_fmpz_ui(sum, old, exponents, ring);
-  fmpz_clear(old);
-}
-
-// All Bernstein polynomials of degree n in t.
-static List bernstein(int n, const Poly t) {
-  List result = new_list(n + 1), up = new_list(n + 1), down = new_list(n + 1);
-  Poly rest;
-  fmpz_t choose;
-  fmpz_mpoly_init(rest, ring);
-  fmpz_init(choose);
-  fmpz_mpoly_neg(rest, t, ring);
-  fmpz_mpoly_add_si(rest, rest, 1, ring);
-  fmpz_mpoly_one(up, ring);
-  fmpz_mpoly_one(down, ring);
-  for (int i = 1; i <= n; ++i) {
-    fmpz_mpoly_mul(up + i, up + i - 1, t, ring);
-    fmpz_mpoly_mul(down + i, down + i - 1, rest, ring);
-  }
-  for (int i = 0; i <= n; ++i) {
-    fmpz_mpoly_mul(result + i, up + i, down + n - i, ring);
-    fmpz_bin_uiui(choose, (ulong)n, (ulong)i);
-    fmpz_mpoly_scalar_mul_fmpz(result + i, result + i, choose, ring);
-  }
-  fmpz_clear(choose);
-  fmpz_mpoly_clear(rest, ring);
-  free_list(up, n + 1);
-  free_list(down, n + 1);
-  return result;
-}
-
-// The Bézier curve of the points (i0, j0), (i0 + di, j0 + dj), …
-static void curve(Poly result, int n, const List basis, int i0, int j0, int di, int dj) {
-  Poly one, product;
-  fmpz_mpoly_init(one, ring);
-  fmpz_mpoly_init(product, ring);
+// n * n times the point (i, j) of the discrete Coons net; one factor of the mutant is wrong.
+static void net_point(Poly result, int n, int i, int j, int mutant) {
   fmpz_mpoly_zero(result, ring);
-  for (int k = 0; k <= n; ++k) {
-    fmpz_mpoly_zero(one, ring);
-    add_point(one, 1, n, i0 + k * di, j0 + k * dj);
-    fmpz_mpoly_mul(product, basis + k, one, ring);
-    fmpz_mpoly_add(result, result, product, ring);
+  add_point(result, n * (n - j), n, i, 0);
+  add_point(result, n * j, n, i, n);
+  add_point(result, n * (n - i), n, 0, j);
+  add_point(result, n * i, n, n, j);
+  add_point(result, -(n - i) * (n - j), n, 0, 0);
+  add_point(result, -i * (n - j), n, n, 0);
+  add_point(result, -(n - i) * j, n, 0, n);
+  add_point(result, -i * j, n, n, n);
+  if (i == 1 && j == 1) add_point(result, mutant, n, 0, 1);
+}
+
+static int w1(int n, int mutant) {
+  fmpz_mpoly_ctx_init(ring, 3, ORD_LEX);
+  List p = new_list(7);
+  fmpz_mpoly_gen(p, U, ring);
+  fmpz_mpoly_gen(p + 1, V, ring);
+  coons(p + 2, n, p, p + 1);
+  fmpz_mpoly_scalar_mul_si(p + 2, p + 2, n * n, ring);
+  List at_u = bernstein(n, p), at_v = bernstein(n, p + 1);
+  for (int i = 0; i <= n; ++i) {
+    fmpz_mpoly_zero(p + 4, ring);
+    for (int j = 0; j <= n; ++j) {
+      net_point(p + 5, n, i, j, mutant);
+      fmpz_mpoly_mul(p + 6, p + 5, at_v + j, ring);
+      fmpz_mpoly_add(p + 4, p + 4, p + 6, ring);
+    }
+    fmpz_mpoly_mul(p + 6, p + 4, at_u + i, ring);
+    fmpz_mpoly_add(p + 3, p + 3, p + 6, ring);
   }
-  fmpz_mpoly_clear(one, ring);
-  fmpz_mpoly_clear(product, ring);
+  const int equal = fmpz_mpoly_equal(p + 2, p + 3, ring);
+  free_list(at_u, n + 1);
+  free_list(at_v, n + 1);
+  free_list(p, 7);
+  fmpz_mpoly_ctx_clear(ring);
+  return equal;
 }
 
-// result = (1 - t) * a + t * b
-static void between(Poly result, const Poly t, const Poly a, const Poly b) {
-  Poly change;
-  fmpz_mpoly_init(change, ring);
-  fmpz_mpoly_sub(change, b, a, ring);
-  fmpz_mpoly_mul(change, change, t, ring);
-  fmpz_mpoly_add(result, a, change, ring);
-  fmpz_mpoly_clear(change, ring);
+// The mutant has u^2 v^2 times one of the points too many.
+static int w2(int n, int mutant) {
+  fmpz_mpoly_ctx_init(ring, 3, ORD_LEX);
+  List p = new_list(4);
+  fmpz_mpoly_gen(p, U, ring);
+  fmpz_mpoly_gen(p + 1, V, ring);
+  coons(p + 2, n, p, p + 1);
+  const ulong wrong[3] = {2, 2, point(n, 0, 1)};
+  fmpz_mpoly_set_coeff_si_ui(p + 3, mutant, wrong, ring);
+  fmpz_mpoly_add(p + 2, p + 2, p + 3, ring);
+  const int variables[4] = {U, U, V, V};
+  for (int k = 0; k < 4; ++k) fmpz_mpoly_derivative(p + 2, p + 2, variables[k], ring);
+  const int zero = fmpz_mpoly_is_zero(p + 2, ring);
+  free_list(p, 4);
+  fmpz_mpoly_ctx_clear(ring);
+  return zero;
 }
 
-// The Coons patch at (s, t) of its edges there and its corners 00, 10, 01, 11.
-static void blended(Poly result, const Poly s, const Poly t, const List edges, const List corners) {
-  List part = new_list(4);
-  between(part, t, edges, edges + 1);
-  between(part + 1, s, edges + 2, edges + 3);
-  between(part + 2, s, corners, corners + 1);
-  between(part + 3, s, corners + 2, corners + 3);
-  between(part + 2, t, part + 2, part + 3);
-  fmpz_mpoly_add(result, part, part + 1, ring);
-  fmpz_mpoly_sub(result, result, part + 2, ring);
-  free_list(part, 4);
-}
-
-// The Coons patch of the boundary points at (s, t).
-static void coons(Poly result, int n, const Poly s, const Poly t) {
-  List at_s = bernstein(n, s), at_t = bernstein(n, t), edges = new_list(4), corners = new_list(4);
-  curve(edges, n, at_s, 0, 0, 1, 0);
-  curve(edges + 1, n, at_s, 0, n, 1, 0);
-  curve(edges + 2, n, at_t, 0, 0, 0, 1);
-  curve(edges + 3, n, at_t, n, 0, 0, 1);
-  for (int k = 0; k < 4; ++k) add_point(corners + k, 1, n, k % 2 * n, k / 2 * n);
-  blended(result, s, t, edges, corners);
-  free_list(at_s, n + 1);
-  free_list(at_t, n + 1);
+// The patch over [a, b] x [c, d] is the Coons patch of its own edges. The mutant takes one corner
+// from the wrong place.
+static int w3(int n, int mutant) {
+  fmpz_mpoly_ctx_init(ring, 7, ORD_LEX);
+  List g = new_list(7), edges = new_list(4), corners = new_list(4), p = new_list(4);
+  for (int k = 0; k < 7; ++k) fmpz_mpoly_gen(g + k, k, ring);
+  between(p, g + U, g + A, g + B);
+  between(p + 1, g + V, g + C, g + D);
+  coons(p + 2, n, p, p + 1);
+  coons(edges, n, p, g + C);
+  coons(edges + 1, n, p, g + D);
+  coons(edges + 2, n, g + A, p + 1);
+  coons(edges + 3, n, g + B, p + 1);
+  coons(corners, n, g + A, g + C);
+  coons(corners + 1, n, g + B, g + C);
+  coons(corners + 2, n, g + A, g + D);
+  coons(corners + 3, n, mutant ? g + A : g + B, g + D);
+  blended(p + 3, g + U, g + V, edges, corners);
+  const int equal = fmpz_mpoly_equal(p + 2, p + 3, ring);
+  free_list(g, 7);
   free_list(edges, 4);
   free_list(corners, 4);
+  free_list(p, 4);
+  fmpz_mpoly_ctx_clear(ring);
+  return equal;
 }
 
-#include "flint_mpoly_claims.h"
+int main(int argc, char** argv) {
+  const struct Workload all[] = {{"W1", w1}, {"W2", w2}, {"W3", w3}, {NULL, NULL}};
+  return measure_named(all, argc, argv);
+}

@@ -1,5 +1,5 @@
-// W4 with FLINT's rational numbers: a clamped uniform bicubic net becomes the Bézier points of all its
-// segments, and neighbours have equal first and second differences across every seam.
+// W4 with FLINT's rational numbers: a clamped uniform bicubic net becomes the Bézier points of all
+// its segments, and neighbours have equal first and second differences across every seam.
 #include <flint/fmpq.h>
 
 #include "measure.h"
@@ -30,7 +30,8 @@ static const fmpq* given(int n) {
 
 static long knot(long k, long last) { return k < 0 ? 0 : k > last ? last : k; }
 
-// One line of n points, `step` numbers apart, to 3 (n - 3) + 1 points. The mutant has one wrong factor.
+// One line of n points, `step` numbers apart, to 3 (n - 3) + 1 points. The mutant has one wrong
+// factor.
 static void to_bezier(fmpq* b, const fmpq* d, int n, long to_step, long from_step, int mutant) {
   const long last = n - 3;
   fmpq_t factor, change, half;
@@ -92,8 +93,7 @@ static int w4(int n, int mutant) {
   fmpq* all = new_numbers(m * m * 3);
   for (long c = 0; c < 3L * n; ++c) to_bezier(rows + c, net + c, n, 3L * n, 3L * n, mutant);
   for (long i = 0; i < m; ++i)
-    for (long k = 0; k < 3; ++k)
-      to_bezier(all + i * m * 3 + k, rows + i * n * 3 + k, n, 3, 3, 0);
+    for (long k = 0; k < 3; ++k) to_bezier(all + i * m * 3 + k, rows + i * n * 3 + k, n, 3, 3, 0);
   int equal = 1;
   for (long c = 0; c < 3 * m && equal; ++c) equal = smooth(all + c, n, 3 * m);
   for (long i = 0; i < m && equal; ++i)

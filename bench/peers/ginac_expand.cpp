@@ -23,9 +23,7 @@ struct Net {
       for (int j = 0; j <= n; ++j)
         points.push_back(i % n == 0 || j % n == 0 ? ex{symbol{}} : ex{0});
   }
-  const ex& at(int i, int j) const {
-    return points[static_cast<std::size_t>(i * (n + 1) + j)];
-  }
+  const ex& at(int i, int j) const { return points[static_cast<std::size_t>(i * (n + 1) + j)]; }
   int n;
   std::vector<ex> points;
 };
@@ -69,8 +67,8 @@ ex coons(const Net& net, const ex& s, const ex& t) {
 ex net_point(const Net& net, int i, int j, int mutant) {
   const int n = net.n;
   const numeric s{i, n}, t{j, n};
-  ex sum = (1 - t) * net.at(i, 0) + t * net.at(i, n) + (1 - s) * net.at(0, j) +
-           s * net.at(n, j) - (1 - s) * (1 - t) * net.at(0, 0) - s * (1 - t) * net.at(n, 0) -
+  ex sum = (1 - t) * net.at(i, 0) + t * net.at(i, n) + (1 - s) * net.at(0, j) + s * net.at(n, j) -
+           (1 - s) * (1 - t) * net.at(0, 0) - s * (1 - t) * net.at(n, 0) -
            (1 - s) * t * net.at(0, n) - s * t * net.at(n, n);
   if (i == 1 && j == 1) sum += numeric{mutant, n * n} * net.at(0, 1);
   return sum;

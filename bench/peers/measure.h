@@ -1,6 +1,5 @@
 // Timing that all peers written in C and C++ share.
-#ifndef PATCHPROOF_BENCH_MEASURE_H
-#define PATCHPROOF_BENCH_MEASURE_H
+#pragma once
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,5 +61,3 @@ static int measure_named(const struct Workload* all, int argc, char** argv) {
   fprintf(stderr, "usage: %s WORKLOAD N SECONDS\n", argv[0]);
   return 64;
 }
-
-#endif

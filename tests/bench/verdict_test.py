@@ -94,6 +94,14 @@ class Verdicts(unittest.TestCase):
         self.assertFalse(processes.verdicts_right("PARI", small, 0, "1\n"))
         self.assertFalse(processes.verdicts_right("patchproof", small, 1, "2 claims"))
 
+    def test_a_program_tells_by_its_exit_code(self):
+        options = mock.Mock(limit=5, seconds=0)
+        command = lambda n, mutant, _: [sys.executable, "-c", f"raise SystemExit({int(mutant)})"]
+        stubborn = lambda n, mutant, _: [sys.executable, "-c", ""]
+        with mock.patch.dict(processes.PROGRAMS, {"good": command, "bad": stubborn}):
+            self.assertEqual(processes.run_program("good", 5, options).status, "ok")
+            self.assertEqual(processes.run_program("bad", 5, options).status, "wrong")
+
     def test_mutants_differ_from_what_they_come_from(self):
         for workload in ("W1", "W2", "W3", "W4", "W5", "W6"):
             self.assertNotEqual(claims.text(workload, 5, 0), claims.text(workload, 5, 1))
