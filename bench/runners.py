@@ -1,7 +1,9 @@
 """How each peer is started, and what it says."""
 
+import math
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 
@@ -88,19 +90,24 @@ COMMANDS = {
 
 
 def _finished(command, text, limit):
-    """What a command prints, or what it had printed when its time was over, and whether it was."""
+    """What a command prints, or what it had printed when its time was over, and whether it was.
+
+    The limit is processor time, so that a busy machine changes nothing; four times as much by the
+    clock is the end for what only waits."""
     environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", LC_ALL="C.UTF-8")
-    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                               stderr=subprocess.PIPE, text=True, env=environment,
-                               start_new_session=True)
+    seconds = math.ceil(limit)
+    process = subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env=environment, start_new_session=True,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5)))
     try:
-        out, errors = process.communicate(text, timeout=limit)
-        return out, errors, False
+        out, errors = process.communicate(text, timeout=4 * limit)
     except subprocess.TimeoutExpired:
         # Some are started by a script of their own.
         os.killpg(process.pid, signal.SIGKILL)
         out, errors = process.communicate()
-        return out, errors, True
+    ended_by = -process.returncode if process.returncode < 0 else process.returncode - 128
+    return out, errors, ended_by in (signal.SIGXCPU, signal.SIGKILL)
 
 
 def run_peer(name, workload, n, options):
@@ -119,6 +126,8 @@ def run_peer(name, workload, n, options):
         return Result("slow")
     if set(said) != {"true", "mutant"}:
         return Result("failed", note=(errors or out).strip()[-300:])
+    if not all(ns > 0 for ns, _ in said.values()):
+        return Result("failed", note="its clock did not move")
     right = said["true"][1] == "1" and said["mutant"][1] == "0"
     return Result("ok" if right else "wrong", said["true"][0], said["mutant"][0],
                   note="" if right else f"true: {said['true'][1]}, mutant: {said['mutant'][1]}")

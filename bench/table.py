@@ -25,7 +25,7 @@ def ratio_text(ratio):
 
 def exponent(times):
     """Least squares of log time against log size; needs three sizes."""
-    points = [(math.log(n), math.log(ns)) for n, ns in times]
+    points = [(math.log(n), math.log(ns)) for n, ns in times if ns > 0]
     if len(points) < 3:
         return None
     mean_x = sum(x for x, _ in points) / len(points)

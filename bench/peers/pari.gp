@@ -131,10 +131,13 @@ proof = [W1, W2, W3, W4, W5, W6][workload];
 {
   for(mutant = 0, 1,
     my(times = List(), total = 0, verdict, batch = 1, time);
-    gettime();
     verdict = proof(n, mutant);
-    time = gettime();
-    if(time < 20, batch = 50; for(k = 1, batch, proof(n, mutant)); time = gettime(); batch = 1 + batch*20\(time + 1));
+    while(1,
+      gettime();
+      for(k = 1, batch, proof(n, mutant));
+      time = gettime();
+      if(time >= 50, break);
+      batch = if(time < 10, 5*batch, 1 + batch*65\time));
     while(if(#times < 3, total < 5000*seconds, total < 1000*seconds),
       for(k = 1, batch, if(proof(n, mutant) != verdict, quit(70)));
       time = gettime();

@@ -86,6 +86,8 @@ class Verdicts(unittest.TestCase):
         self.ours("PROVED", "REFUTED")
         self.assertEqual(self.code("import time; time.sleep(9)", limit="0.5"), 0)
         self.assertIn("> 0.5 s", self.table)
+        self.assertEqual(self.code("while True: pass", limit="0.5"), 0)
+        self.assertIn("> 0.5 s", self.table)
 
     def test_each_small_claim_has_its_verdict(self):
         small = [("a", "a", True), ("a", "b", False)]
