@@ -85,7 +85,7 @@ golden: test-packages with-tests
 	@PATCHPROOF_WRITE_GOLDEN=1 build/release/tests/unit_tests '[#latex/golden]'
 	@PATCHPROOF_WRITE_GOLDEN=1 build/release/tests/unit_tests '[#derivation/walk]'
 
-# BENCH_OPTIONS is handed on, such as --only W1.
+# BENCH_OPTIONS is handed on, such as --only W1; docs/performance.md says what is measured.
 bench: packages build/release/build.ninja
 	@cmake/install_packages $(bench_packages)
 	@grep -q '^PATCHPROOF_BENCH:BOOL=ON' build/release/CMakeCache.txt || \
