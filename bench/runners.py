@@ -1,16 +1,11 @@
 """How each peer is started, and what it says."""
 
-import math
-import os
 import pathlib
-import resource
-import signal
-import subprocess
-
 from dataclasses import dataclass
 
 import claims
 import nets
+from limited import finished
 
 HERE = pathlib.Path(__file__).resolve().parent
 PEERS = HERE / "peers"
@@ -89,34 +84,13 @@ COMMANDS = {
 }
 
 
-def _finished(command, text, limit):
-    """What a command prints, or what it had printed when its time was over, and whether it was.
-
-    The limit is processor time, so that a busy machine changes nothing; four times as much by the
-    clock is the end for what only waits."""
-    environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", LC_ALL="C.UTF-8")
-    seconds = math.ceil(limit)
-    process = subprocess.Popen(
-        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-        env=environment, start_new_session=True,
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5)))
-    try:
-        out, errors = process.communicate(text, timeout=4 * limit)
-    except subprocess.TimeoutExpired:
-        # Some are started by a script of their own.
-        os.killpg(process.pid, signal.SIGKILL)
-        out, errors = process.communicate()
-    ended_by = -process.returncode if process.returncode < 0 else process.returncode - 128
-    return out, errors, ended_by in (signal.SIGXCPU, signal.SIGKILL)
-
-
 def run_peer(name, workload, n, options):
     """The true claim has to be proved, its mutant not."""
     if workload == "W6":
         nets.write(options.folder, n)
     command, text = COMMANDS[name](workload, n, options)
     # Both claims have to come to an end, each within the limit.
-    out, errors, over = _finished(command, text, 2 * options.limit)
+    out, errors, over = finished(command, text, 2 * options.limit)
     said = {}
     for line in out.splitlines():
         words = line.split()
@@ -143,12 +117,14 @@ def run_ours(workload, n, options):
     said = []
     for path in files:
         command = [str(options.programs / "patchproof_bench"), str(options.seconds), str(path)]
-        out, errors, over = _finished(command, "", options.limit)
+        out, errors, over = finished(command, "", options.limit)
         words = out.strip().split(" ", 3)
         if over or len(words) == 4 and float(words[0]) > 1e9 * options.limit:
             return Result("slow")
         if len(words) != 4:
             return Result("failed", note=(errors or out).strip()[-300:])
+        if float(words[0]) <= 0:
+            return Result("failed", note="its clock did not move")
         said.append((float(words[0]), float(words[1]), words[3], float(words[2])))
     verdicts = [verdict for _, _, verdict, _ in said]
     note = ", ".join(verdicts)
