@@ -9,12 +9,13 @@ tex_packages  := texlive-luatex texlive-latex-recommended texlive-pictures latex
 coq_packages  := coq libcoq-coquelicot
 test_packages := catch2 clang-14 libclang-rt-14-dev python3-sympy parallel $(tex_packages) \
                  $(coq_packages)
+bench_packages := python3-sympy python3-gmpy2 maxima singular-ui singular-modules pari-gp libflint-dev
 program       := build/release/bin/patchproof
 build         := cmake --build -j $(shell nproc) --preset
 run_tests     := ctest -j $(shell nproc) --preset
 
 .PHONY: help verify program test test-release test-sanitize test-clang test-fuzz \
-        packages test-packages with-tests claims certified golden format clean
+        packages test-packages with-tests claims certified golden bench format clean
 .DEFAULT_GOAL := help
 # One step after the other under any -j; the steps themselves use all processors.
 .NOTPARALLEL:
@@ -26,6 +27,7 @@ help:
 	@echo 'make claims   write docs/claims.md anew: every item of the notes with its verdicts'
 	@echo 'make certified  certify every claim of cases/ with coqc; write the table of docs/trust.md anew'
 	@echo 'make golden   write the golden documents of tests/golden anew, to be read before they are kept'
+	@echo 'make bench    time patchproof and other systems on the same claims; QUICK=1: under five minutes'
 	@echo 'make format   format the sources'
 	@echo 'make clean    delete build/'
 
@@ -83,9 +85,17 @@ golden: test-packages with-tests
 	@PATCHPROOF_WRITE_GOLDEN=1 build/release/tests/unit_tests '[#latex/golden]'
 	@PATCHPROOF_WRITE_GOLDEN=1 build/release/tests/unit_tests '[#derivation/walk]'
 
+# BENCH_OPTIONS is handed on, such as --only W1; docs/performance.md says what is measured.
+bench: packages build/release/build.ninja
+	@cmake/install_packages $(bench_packages)
+	@grep -q '^PATCHPROOF_BENCH:BOOL=ON' build/release/CMakeCache.txt || \
+	  cmake --preset release -DPATCHPROOF_BENCH=ON
+	@$(build) release --target bench_programs
+	@python3 -B bench/run.py $(if $(QUICK),--quick) $(BENCH_OPTIONS)
+
 format:
 	@cmake/install_packages clang-format
-	@find lib recheck verify tests -name '*.[ch]pp' | xargs clang-format -i
+	@find bench lib recheck verify tests -name '*.[ch]pp' -o -name '*.[ch]' | xargs clang-format -i
 
 clean:
 	@rm -rf build
