@@ -5,7 +5,7 @@
 #include <random>
 
 #include <patchproof/algebra/polynomial.hpp>
-#include <patchproof/grid/grid_proof.hpp>
+#include <patchproof/grid/grid_run.hpp>
 #include <patchproof/grid/modulus.hpp>
 
 namespace patchproof {

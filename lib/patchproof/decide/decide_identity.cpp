@@ -39,7 +39,8 @@ class Identity {
  private:
   Decision proof(const Finding& found) {
     Decision result;
-    if (const std::string doubt = inconsistency(goal_, found.conditions, hypotheses_, workspace_); !doubt.empty()) {
+    if (const std::string doubt = inconsistency(goal_, found.conditions, hypotheses_, workspace_);
+        !doubt.empty()) {
       result.reason = "no values are known for which all assumptions and conditions hold: " + doubt;
       return result;
     }
@@ -125,8 +126,8 @@ class Identity {
                       component_name(type, check.component)};
     result.residual = to_text(found.residual, workspace_.atoms, workspace_.budget);
     if (check.statement == found.statement && found.outcome == Finding::Outcome::open)
-      result.reason = nowhere_worse(goal_.statements[found.statement].relation, found.sign,
-                                    workspace_);
+      result.reason =
+          nowhere_worse(goal_.statements[found.statement].relation, found.sign, workspace_);
     return result;
   }
 
@@ -134,8 +135,7 @@ class Identity {
     if (!hypotheses_.left_out().empty()) return hypotheses_.left_out().front();
     if (found.outcome == Finding::Outcome::open)
       return undecided_sign(goal_.statements[found.statement].relation, found.sign, workspace_);
-    const std::string normal =
-        to_text(found.residual, workspace_.atoms, workspace_.budget, 200);
+    const std::string normal = to_text(found.residual, workspace_.atoms, workspace_.budget, 200);
     return "the difference " + normal + " was neither shown to be zero nor to differ from it" +
            (why.empty() ? "" : " (" + why + ")");
   }
@@ -154,8 +154,7 @@ bool only_equations(const Goal& goal) {
 
 // The second engine cannot change a verdict, only confirm it or show that this program is wrong.
 Decision with_second_opinion(Decision decision, const Goal& goal, const Limits& limits) {
-  const bool proved =
-      decision.verdict == Verdict::proved || decision.verdict == Verdict::proved_if;
+  const bool proved = decision.verdict == Verdict::proved || decision.verdict == Verdict::proved_if;
   if (!proved && decision.verdict != Verdict::refuted) return decision;
   if (!only_equations(goal)) return decision;
   const SecondOpinion opinion = second_opinion(goal, limits);
@@ -174,9 +173,49 @@ Decision with_second_opinion(Decision decision, const Goal& goal, const Limits& 
   return decision;
 }
 
+// Values that the grid has found, put into the terms: a proof that the statement is false, though
+// without the difference of the sides, and the values are not the simplest.
+std::optional<Decision> refuted_at(const std::vector<KnownValue>& values, const Goal& goal,
+                                   Budget& budget) {
+  const Witness witness{values};
+  const WitnessCheck check = checked(goal, witness, budget);
+  if (!check.consistent || !check.refutes) return std::nullopt;
+  Decision result;
+  result.verdict = Verdict::refuted;
+  result.evidence = Evidence::kernel;
+  result.statement = check.statement;
+  const Type& type = goal.statements[check.statement].left.type();
+  result.witness = {in_words(witness), witness.values, check.left, check.right,
+                    component_name(type, check.component)};
+  return result;
+}
+
+// With fractions, if that takes no more than so many steps.
+std::optional<Decision> refuted_soon(const Goal& goal, Budget& budget) {
+  constexpr std::uint64_t most_steps = 5'000'000;
+  Limits limits = budget.limits();
+  if (limits.steps != 0 && limits.steps <= most_steps) return std::nullopt;
+  limits.steps = most_steps;
+  Budget small{limits};
+  Workspace workspace{small};
+  try {
+    Decision result = Identity{goal, workspace}.run();
+    if (result.verdict == Verdict::refuted) return result;
+  } catch (const OverBudget&) {
+    budget.spend(most_steps);
+  }
+  return std::nullopt;
+}
+
 // What is shown on a grid needs no fractions; everything else does.
 Decision decided_by_kernel(const Goal& goal, Workspace& workspace) {
-  if (!holds_on_grid(goal, workspace.budget)) return Identity{goal, workspace}.run();
+  const GridAnswer answer = answer_on_grid(goal, workspace.budget);
+  if (answer.kind == GridAnswer::Kind::differs) {
+    if (std::optional<Decision> result = refuted_soon(goal, workspace.budget)) return *result;
+    if (std::optional<Decision> result = refuted_at(answer.values, goal, workspace.budget))
+      return *result;
+  }
+  if (answer.kind != GridAnswer::Kind::holds) return Identity{goal, workspace}.run();
   Decision result;
   result.verdict = Verdict::proved;
   result.evidence = Evidence::kernel;
@@ -186,8 +225,8 @@ Decision decided_by_kernel(const Goal& goal, Workspace& workspace) {
 }  // namespace
 
 Decision decided(const Goal& goal, const Limits& limits, Engines engines) {
-  Decision result = guarded(
-      limits, [&](Workspace& workspace) { return decided_by_kernel(goal, workspace); });
+  Decision result =
+      guarded(limits, [&](Workspace& workspace) { return decided_by_kernel(goal, workspace); });
   if (engines == Engines::kernel) return result;
   return with_second_opinion(std::move(result), goal, limits_of_second_opinion(limits, engines));
 }

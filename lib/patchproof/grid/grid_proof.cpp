@@ -1,166 +1,17 @@
 #include <patchproof/grid/grid_proof.hpp>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
-#include <patchproof/grid/modulus.hpp>
+#include <patchproof/grid/grid_run.hpp>
 #include <patchproof/grid/tape_builder.hpp>
+#include <patchproof/term/replacement.hpp>
 
 namespace patchproof {
 
 namespace {
 
 using Step = Tape::Step;
-using Entry = Tape::Entry;
-using Residue = Modulus::Residue;
-
-/// So many residues are kept at the most: 32 MB.
-constexpr std::size_t most_values = 4'000'000;
-/// More additions and multiplications than this are not begun: a second or so.
-constexpr std::uint64_t most_work = 200'000'000;
-
-/// The length of the primes.
-constexpr std::uint64_t prime_bits = 61;
-
-/// Calculates all steps of a tape at the points of a grid, modulo a prime.
-class GridRun {
- public:
-  GridRun(const Tape& tape, const std::vector<Step>& wanted) : tape_{tape}, wanted_{wanted} {
-    for (const Step step : wanted)
-      for (std::size_t k = 0; k < Tape::most_variables; ++k)
-        degrees_[k] = std::max(degrees_[k], tape.entry(step).degrees[k]);
-    places_.reserve(tape.entries().size());
-    std::size_t place = 0;
-    for (const Entry& entry : tape.entries()) {
-      places_.push_back(place);
-      place += 1 + (entry.high - entry.low);
-    }
-    if (place > most_values) throw Declined{"too many values"};
-    values_.resize(place);
-    find_levels();
-  }
-
-  /// About how many additions and multiplications one prime costs.
-  std::uint64_t work() const {
-    std::uint64_t result = 0;
-    std::uint64_t points = 1;
-    for (std::size_t level = 0; level <= Tape::most_variables; ++level) {
-      if (level > 0) points *= std::uint64_t{degrees_[level - 1]} + 1;
-      for (const Step step : levels_[level]) {
-        result += points * work_of(tape_.entry(step));
-      }
-      if (points > most_work || result > most_work) return most_work + 1;
-    }
-    return result;
-  }
-
-  bool all_zero(const Modulus& modulus) {
-    modulus_ = &modulus;
-    run(0);
-    return visit(0);
-  }
-
- private:
-  static std::uint64_t width_of(const Entry& entry) { return 1 + (entry.high - entry.low); }
-
-  std::uint64_t work_of(const Entry& entry) const {
-    std::uint64_t result = width_of(entry);
-    for (std::uint32_t k = 0; k < entry.count; ++k)
-      result += width_of(tape_.entry(tape_.summands()[entry.index + k].step));
-    return result;
-  }
-
-  // Level 0 is the same everywhere; level k + 1 changes with variable k, and perhaps with earlier
-  // ones.
-  void find_levels() {
-    for (std::size_t step = 0; step < tape_.entries().size(); ++step) {
-      const auto& degrees = tape_.entries()[step].degrees;
-      std::size_t level = 0;
-      for (std::size_t k = 0; k < degrees.size(); ++k)
-        if (degrees[k] > 0) level = k + 1;
-      levels_[level].push_back(static_cast<Step>(step));
-    }
-  }
-
-  bool visit(std::size_t variable) {
-    if (variable == Tape::most_variables)
-      return std::all_of(wanted_.begin(), wanted_.end(), [&](Step step) { return is_zero(step); });
-    for (unsigned value = 0; value <= degrees_[variable]; ++value) {
-      point_[variable] = modulus_->residue(Integer{value});
-      run(variable + 1);
-      if (!visit(variable + 1)) return false;
-    }
-    return true;
-  }
-
-  bool is_zero(Step step) const {
-    const Entry& entry = tape_.entry(step);
-    const Residue* value = &values_[places_[step]];
-    return std::all_of(value, value + 1 + (entry.high - entry.low),
-                       [](Residue part) { return part == 0; });
-  }
-
-  void run(std::size_t level) {
-    for (const Step step : levels_[level]) calculate(step);
-  }
-
-  // First what has no symbols, then the coefficients of the symbols from `low` on.
-  void calculate(Step step) {
-    const Entry& entry = tape_.entry(step);
-    Residue* result = &values_[places_[step]];
-    const std::size_t width = entry.high - entry.low;
-    switch (entry.operation) {
-      case Tape::Operation::number:
-        result[0] = modulus_->residue(entry.number);
-        return;
-      case Tape::Operation::variable:
-        result[0] = point_[entry.index];
-        return;
-      case Tape::Operation::symbol:
-        result[0] = 0;
-        result[1] = modulus_->residue(Integer{1});
-        return;
-      case Tape::Operation::product: {
-        const Residue factor = values_[places_[entry.second]];
-        const Residue* other = &values_[places_[entry.first]];
-        for (std::size_t k = 0; k <= width; ++k) result[k] = modulus_->product(other[k], factor);
-        return;
-      }
-      case Tape::Operation::sum:
-        std::fill(result, result + 1 + width, 0);
-        for (std::uint32_t k = 0; k < entry.count; ++k)
-          add(tape_.summands()[entry.index + k], entry.low, result);
-    }
-  }
-
-  void add(const Tape::Summand& summand, std::uint32_t low, Residue* result) const {
-    const Entry& entry = tape_.entry(summand.step);
-    const Residue* value = &values_[places_[summand.step]];
-    const auto combined = [&](Residue a, Residue b) {
-      return summand.negative ? modulus_->difference(a, b) : modulus_->sum(a, b);
-    };
-    result[0] = combined(result[0], value[0]);
-    Residue* own = result + 1 + (entry.low - low);
-    for (std::uint32_t k = 0; k < entry.high - entry.low; ++k)
-      own[k] = combined(own[k], value[1 + k]);
-  }
-
-  const Tape& tape_;
-  const std::vector<Step>& wanted_;
-  std::array<std::uint16_t, Tape::most_variables> degrees_{};
-  std::vector<std::size_t> places_;
-  std::vector<Residue> values_;
-  std::array<std::vector<Step>, Tape::most_variables + 1> levels_;
-  std::array<Residue, Tape::most_variables> point_{};
-  const Modulus* modulus_ = nullptr;
-};
-
-bool has_residues(const Tape& tape, const Modulus& modulus) {
-  return std::all_of(tape.entries().begin(), tape.entries().end(), [&](const Entry& entry) {
-    return entry.operation != Tape::Operation::number || modulus.has_residue(entry.number);
-  });
-}
 
 // Every value of the parameters is allowed, and there is one.
 bool is_plain(const Goal& goal) {
@@ -175,7 +26,50 @@ bool is_plain(const Goal& goal) {
                      [](const Statement& s) { return s.relation == Relation::equal; });
 }
 
-std::optional<bool> attempt(const Goal& goal, bool scalars_are_variables, Budget& budget) {
+GridRanges ranges_of(const Goal& goal, const TapeBuilder& builder) {
+  GridRanges ranges;
+  for (const ParameterRange& range : goal.ranges)
+    if (const auto found = builder.variables().find(range.parameter->ordinal);
+        found != builder.variables().end())
+      ranges[found->second] = {range.lower.number(), range.upper.number() - range.lower.number()};
+  return ranges;
+}
+
+Term point_of(const Type& type, std::vector<Term> coordinates) {
+  if (type.is_scalar()) return coordinates.front();
+  return make_term(Operation::tuple, type, std::move(coordinates));
+}
+
+// Everything that does not matter is zero; a parameter that does not is where its range begins.
+std::vector<KnownValue> values_at(const GridDifference& difference, const Goal& goal,
+                                  const TapeBuilder& builder) {
+  std::map<unsigned, Rational> starts;
+  for (const ParameterRange& range : goal.ranges)
+    starts.emplace(range.parameter->ordinal, range.lower.number());
+  std::map<unsigned, SymbolPointer> symbols = free_symbols(goal);
+  for (const KnownValue& known : goal.known) symbols.erase(known.symbol->ordinal);
+  std::vector<KnownValue> values;
+  for (const auto& [ordinal, symbol] : symbols) {
+    std::vector<Rational> coordinates(symbol->type.component_count());
+    const auto variable = builder.variables().find(ordinal);
+    const auto first = builder.symbols().find(ordinal);
+    if (variable != builder.variables().end()) {
+      coordinates.front() = difference.point[variable->second];
+    } else if (first != builder.symbols().end()) {
+      for (std::uint32_t k = 0; k < coordinates.size(); ++k)
+        if (difference.symbol == first->second + k) coordinates[k] = 1;
+    } else if (const auto start = starts.find(ordinal); start != starts.end()) {
+      coordinates.front() = start->second;
+    }
+    std::vector<Term> terms;
+    for (const Rational& coordinate : coordinates) terms.push_back(number_term(coordinate));
+    values.push_back({symbol, point_of(symbol->type, std::move(terms))});
+  }
+  return values;
+}
+
+std::optional<GridAnswer> attempt(const Goal& goal, bool scalars_are_variables, Budget& budget) {
+  using Kind = GridAnswer::Kind;
   try {
     Tape tape;
     TapeBuilder builder{tape, goal.known, scalars_are_variables};
@@ -183,12 +77,21 @@ std::optional<bool> attempt(const Goal& goal, bool scalars_are_variables, Budget
     for (const Statement& statement : goal.statements) {
       const std::vector<Step> left = builder.components(statement.left);
       const std::vector<Step> right = builder.components(statement.right);
-      if (left.size() != right.size()) return false;
+      if (left.size() != right.size()) return GridAnswer{};
       for (std::size_t k = 0; k < left.size(); ++k)
         differences.push_back(tape.difference(left[k], right[k]));
     }
     budget.spend(tape.entries().size());
-    return are_zero(tape, differences, budget);
+    const GridRanges ranges = ranges_of(goal, builder);
+    // One point is enough for most of what is false.
+    std::optional<GridDifference> difference =
+        difference_at_a_point(tape, differences, ranges, budget);
+    if (!difference) {
+      if (are_zero(tape, differences, budget)) return GridAnswer{Kind::holds};
+      difference = difference_from_zero(tape, differences, ranges, budget);
+    }
+    if (!difference) return GridAnswer{};
+    return GridAnswer{Kind::differs, values_at(*difference, goal, builder)};
   } catch (const Declined&) {
     return std::nullopt;
   }
@@ -196,36 +99,14 @@ std::optional<bool> attempt(const Goal& goal, bool scalars_are_variables, Budget
 
 }  // namespace
 
-bool are_zero(const Tape& tape, const std::vector<Step>& steps, Budget& budget) {
-  std::vector<Step> wanted;
-  Integer norm = 0;
-  for (const Step step : steps) {
-    if (step == Tape::zero) continue;
-    wanted.push_back(step);
-    norm = std::max(norm, tape.entry(step).norm);
-  }
-  if (wanted.empty()) return true;
-  GridRun run{tape, wanted};
-  // Declined before anything is spent: others have to do with what is left.
-  const std::uint64_t work = run.work();
-  const std::uint64_t primes = msb(norm) / (prime_bits - 1) + 1;
-  if (work > most_work / primes) throw Declined{"too much work"};
-  Integer product = 1;
-  for (const std::uint64_t prime : large_primes()) {
-    const Modulus modulus{prime};
-    if (!has_residues(tape, modulus)) continue;
-    budget.spend(work);
-    if (!run.all_zero(modulus)) return false;
-    product *= prime;
-    if (product > norm) return true;
-  }
-  throw Declined{"numbers that are too large"};
+GridAnswer answer_on_grid(const Goal& goal, Budget& budget) {
+  if (!is_plain(goal)) return {};
+  if (const std::optional<GridAnswer> answer = attempt(goal, false, budget)) return *answer;
+  return attempt(goal, true, budget).value_or(GridAnswer{});
 }
 
 bool holds_on_grid(const Goal& goal, Budget& budget) {
-  if (!is_plain(goal)) return false;
-  if (const std::optional<bool> answer = attempt(goal, false, budget)) return *answer;
-  return attempt(goal, true, budget).value_or(false);
+  return answer_on_grid(goal, budget).kind == GridAnswer::Kind::holds;
 }
 
 }  // namespace patchproof

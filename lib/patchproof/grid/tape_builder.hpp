@@ -28,9 +28,10 @@ class TapeBuilder {
   /// @throws Declined for what is no such polynomial.
   std::vector<Tape::Step> components(const Term& term);
 
-  /// How many variables and symbols have been met.
-  std::size_t variables() const { return variables_.size(); }
-  std::size_t symbols() const { return symbols_; }
+  /// The variables that were met, and the number of the first component of each symbol, by
+  /// ordinal.
+  const std::map<unsigned, std::uint32_t>& variables() const { return variables_; }
+  const std::map<unsigned, std::uint32_t>& symbols() const { return first_symbol_; }
 
  private:
   using Step = Tape::Step;

@@ -33,8 +33,18 @@ Position walked(std::string_view text, std::size_t byte, Position position, std:
 
 }  // namespace
 
+// Only the line itself has to be walked through.
 Position position_of(const SourceText& source, std::size_t byte) {
-  return walked(source.text, 0, {}, byte);
+  const std::string_view text = source.text;
+  const std::string_view before = text.substr(0, byte);
+  Position position;
+  std::size_t begin = 0;
+  for (std::size_t end = before.find('\n'); end != std::string_view::npos;
+       end = before.find('\n', begin)) {
+    ++position.line;
+    begin = end + 1;
+  }
+  return walked(text, begin, position, byte);
 }
 
 PositionTable::PositionTable(const SourceText& source) : source_(&source) {
