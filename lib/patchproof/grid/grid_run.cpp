@@ -37,13 +37,14 @@ class GridRun {
         degrees_[k] = std::max(degrees_[k], tape.entry(step).degrees[k]);
     places_.reserve(tape.entries().size());
     std::size_t place = 0;
-    for (const Entry& entry : tape.entries()) {
+    for (Step step = 0; step < tape.entries().size(); ++step) {
       places_.push_back(place);
-      place += 1 + (entry.high - entry.low);
+      place += width_of(step);
     }
     if (place > most_values) throw Declined{"too many values"};
     values_.resize(place);
     find_levels();
+    find_positions();
   }
 
   /// About how many additions and multiplications one prime costs.
@@ -53,7 +54,7 @@ class GridRun {
     for (std::size_t level = 0; level <= Tape::most_variables; ++level) {
       if (level > 0) points *= std::uint64_t{degrees_[level - 1]} + 1;
       for (const Step step : levels_[level]) {
-        result += points * work_of(tape_.entry(step));
+        result += points * work_of(step);
       }
       if (points > most_work || result > most_work) return most_work + 1;
     }
@@ -99,11 +100,10 @@ class GridRun {
   GridDifference difference(const Point& point) const {
     GridDifference result{point, std::nullopt};
     for (const Step step : wanted_) {
-      const Entry& entry = tape_.entry(step);
       const Residue* value = &values_[places_[step]];
-      for (std::uint32_t k = 0; k <= entry.high - entry.low; ++k) {
+      for (std::size_t k = 0; k < width_of(step); ++k) {
         if (value[k] == 0) continue;
-        if (k > 0) result.symbol = entry.low + k - 1;
+        if (k > 0) result.symbol = tape_.support(step)[k - 1];
         return result;
       }
     }
@@ -111,13 +111,36 @@ class GridRun {
   }
 
  private:
-  static std::uint64_t width_of(const Entry& entry) { return 1 + (entry.high - entry.low); }
+  // What has no symbols, and the coefficients of the symbols that occur.
+  std::size_t width_of(Step step) const { return 1 + tape_.support(step).size(); }
 
-  std::uint64_t work_of(const Entry& entry) const {
-    std::uint64_t result = width_of(entry);
+  std::uint64_t work_of(Step step) const {
+    const Entry& entry = tape_.entry(step);
+    std::uint64_t result = width_of(step);
     for (std::uint32_t k = 0; k < entry.count; ++k)
-      result += width_of(tape_.entry(tape_.summands()[entry.index + k].step));
+      result += width_of(tape_.summands()[entry.index + k].step);
     return result;
+  }
+
+  // Where the symbols of a summand are among those of the sum, unless they are the same.
+  void find_positions() {
+    first_position_.resize(tape_.summands().size());
+    for (Step step = 0; step < tape_.entries().size(); ++step) {
+      const Entry& entry = tape_.entry(step);
+      if (entry.operation != Tape::Operation::sum) continue;
+      const std::vector<std::uint32_t>& all = tape_.support(step);
+      for (std::uint32_t k = entry.index; k < entry.index + entry.count; ++k) {
+        const Step part = tape_.summands()[k].step;
+        first_position_[k] = positions_.size();
+        if (tape_.entry(part).support == entry.support) continue;
+        if (positions_.size() > most_values) throw Declined{"too many values"};
+        auto place = all.begin();
+        for (const std::uint32_t symbol : tape_.support(part)) {
+          place = std::lower_bound(place, all.end(), symbol);
+          positions_.push_back(static_cast<std::uint32_t>(place - all.begin()));
+        }
+      }
+    }
   }
 
   // Level 0 is the same everywhere; level k + 1 changes with variable k, and perhaps with earlier
@@ -147,21 +170,18 @@ class GridRun {
   }
 
   bool is_zero(Step step) const {
-    const Entry& entry = tape_.entry(step);
     const Residue* value = &values_[places_[step]];
-    return std::all_of(value, value + 1 + (entry.high - entry.low),
-                       [](Residue part) { return part == 0; });
+    return std::all_of(value, value + width_of(step), [](Residue part) { return part == 0; });
   }
 
   void run(std::size_t level) {
     for (const Step step : levels_[level]) calculate(step);
   }
 
-  // First what has no symbols, then the coefficients of the symbols from `low` on.
   void calculate(Step step) {
     const Entry& entry = tape_.entry(step);
     Residue* result = &values_[places_[step]];
-    const std::size_t width = entry.high - entry.low;
+    const std::size_t width = width_of(step);
     switch (entry.operation) {
       case Tape::Operation::number:
         result[0] = modulus_->residue(entry.number);
@@ -176,26 +196,34 @@ class GridRun {
       case Tape::Operation::product: {
         const Residue factor = values_[places_[entry.second]];
         const Residue* other = &values_[places_[entry.first]];
-        for (std::size_t k = 0; k <= width; ++k) result[k] = modulus_->product(other[k], factor);
+        for (std::size_t k = 0; k < width; ++k) result[k] = modulus_->product(other[k], factor);
         return;
       }
       case Tape::Operation::sum:
-        std::fill(result, result + 1 + width, 0);
-        for (std::uint32_t k = 0; k < entry.count; ++k)
-          add(tape_.summands()[entry.index + k], entry.low, result);
+        std::fill(result, result + width, 0);
+        for (std::uint32_t k = entry.index; k < entry.index + entry.count; ++k)
+          add(k, entry.support, result);
     }
   }
 
-  void add(const Tape::Summand& summand, std::uint32_t low, Residue* result) const {
-    const Entry& entry = tape_.entry(summand.step);
-    const Residue* value = &values_[places_[summand.step]];
-    const auto combined = [&](Residue a, Residue b) {
-      return summand.negative ? modulus_->difference(a, b) : modulus_->sum(a, b);
-    };
-    result[0] = combined(result[0], value[0]);
-    Residue* own = result + 1 + (entry.low - low);
-    for (std::uint32_t k = 0; k < entry.high - entry.low; ++k)
-      own[k] = combined(own[k], value[1 + k]);
+  void add(std::uint32_t summand, std::uint32_t support, Residue* result) const {
+    const auto [step, negative] = tape_.summands()[summand];
+    const Residue* value = &values_[places_[step]];
+    const std::size_t width = width_of(step);
+    if (tape_.entry(step).support == support) {
+      for (std::size_t k = 0; k < width; ++k) result[k] = combined(result[k], value[k], negative);
+      return;
+    }
+    result[0] = combined(result[0], value[0], negative);
+    const std::uint32_t* position = &positions_[first_position_[summand]];
+    for (std::size_t k = 1; k < width; ++k) {
+      Residue& own = result[1 + position[k - 1]];
+      own = combined(own, value[k], negative);
+    }
+  }
+
+  Residue combined(Residue a, Residue b, bool negative) const {
+    return negative ? modulus_->difference(a, b) : modulus_->sum(a, b);
   }
 
   const Tape& tape_;
@@ -203,6 +231,8 @@ class GridRun {
   std::array<std::uint16_t, Tape::most_variables> degrees_{};
   std::vector<std::size_t> places_;
   std::vector<Residue> values_;
+  std::vector<std::uint32_t> positions_;
+  std::vector<std::size_t> first_position_;
   std::array<std::vector<Step>, Tape::most_variables + 1> levels_;
   std::array<Residue, Tape::most_variables> starts_{};
   std::array<Residue, Tape::most_variables> distances_{};

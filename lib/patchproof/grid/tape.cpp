@@ -66,6 +66,29 @@ Tape::Step Tape::add(std::uint64_t hash, Entry entry) {
   return step;
 }
 
+std::uint32_t Tape::support_number(std::vector<std::uint32_t> symbols) {
+  const auto number = static_cast<std::uint32_t>(supports_.size());
+  const auto [found, is_new] = support_numbers_.emplace(std::move(symbols), number);
+  if (is_new) supports_.push_back(found->first);
+  return found->second;
+}
+
+std::uint32_t Tape::common_support(const std::vector<Summand>& summands) {
+  std::vector<std::uint32_t> numbers;
+  for (const Summand& summand : summands)
+    if (has_symbols(summand.step)) numbers.push_back(entries_[summand.step].support);
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  if (numbers.empty()) return 0;
+  if (numbers.size() == 1) return numbers.front();
+  std::vector<std::uint32_t> symbols;
+  for (const std::uint32_t number : numbers)
+    symbols.insert(symbols.end(), supports_[number].begin(), supports_[number].end());
+  std::sort(symbols.begin(), symbols.end());
+  symbols.erase(std::unique(symbols.begin(), symbols.end()), symbols.end());
+  return support_number(std::move(symbols));
+}
+
 Tape::Step Tape::number(const Rational& value) {
   if (value == 0) return zero;
   const std::uint64_t hash = hash_of(value);
@@ -102,8 +125,7 @@ Tape::Step Tape::symbol(std::uint32_t index) {
   if (const Step step = found(hash, same); step != zero) return step;
   Entry entry{Operation::symbol};
   entry.index = index;
-  entry.low = index;
-  entry.high = index + 1;
+  entry.support = support_number({index});
   entry.norm = 1;
   return add(hash, std::move(entry));
 }
@@ -133,14 +155,11 @@ Tape::Step Tape::sum(std::vector<Summand> summands) {
   Entry entry{Operation::sum};
   entry.index = static_cast<std::uint32_t>(summands_.size());
   entry.count = static_cast<std::uint32_t>(summands.size());
+  entry.support = common_support(summands);
   for (const Summand& summand : summands) {
     const Entry& part = entries_[summand.step];
     for (std::size_t k = 0; k < most_variables; ++k)
       entry.degrees[k] = std::max(entry.degrees[k], part.degrees[k]);
-    if (part.low < part.high) {
-      entry.low = entry.low == entry.high ? part.low : std::min(entry.low, part.low);
-      entry.high = std::max(entry.high, part.high);
-    }
     // a/d + b/e = (a * m/d + b * m/e)/m for the least common multiple m.
     if (part.denominator == entry.denominator) {
       entry.norm += part.norm;
@@ -160,7 +179,6 @@ Tape::Step Tape::product(Step a, Step b) {
   if (is_number(a) && is_number(b)) return number(number_of(a) * number_of(b));
   if (is_number(a) && number_of(a) == 1) return b;
   if (is_number(b) && number_of(b) == 1) return a;
-  const auto has_symbols = [&](Step step) { return entries_[step].low < entries_[step].high; };
   if (has_symbols(a) && has_symbols(b)) throw Declined{"a product of symbols"};
   if (has_symbols(b) || (!has_symbols(a) && a < b)) std::swap(a, b);
   const std::uint64_t hash = hash_of(Operation::product, a, b);
@@ -178,8 +196,7 @@ Tape::Step Tape::product(Step a, Step b) {
     if (degree > highest_degree) throw Declined{"too high a degree"};
     entry.degrees[k] = static_cast<std::uint16_t>(degree);
   }
-  entry.low = left.low;
-  entry.high = left.high;
+  entry.support = left.support;
   entry.denominator = left.denominator * right.denominator;
   entry.norm = left.norm * right.norm;
   return add(hash, std::move(entry));

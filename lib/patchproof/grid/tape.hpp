@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
@@ -44,9 +45,8 @@ class Tape {
     Step second = zero;
     Rational number = {};
     std::array<std::uint16_t, most_variables> degrees{};
-    /// Only symbols in [low, high) occur.
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
+    /// Which symbols occur: the number of a list of them.
+    std::uint32_t support = 0;
     /// denominator * polynomial has whole coefficients, whose absolute values add up to `norm` at
     /// most.
     Integer denominator = 1;
@@ -66,6 +66,11 @@ class Tape {
   const std::vector<Entry>& entries() const { return entries_; }
   const Entry& entry(Step step) const { return entries_[step]; }
   const std::vector<Summand>& summands() const { return summands_; }
+  /// The symbols that occur in a step, in order.
+  const std::vector<std::uint32_t>& support(Step step) const {
+    return supports_[entries_[step].support];
+  }
+  bool has_symbols(Step step) const { return entries_[step].support != 0; }
   bool is_number(Step step) const {
     return step == zero || entries_[step].operation == Operation::number;
   }
@@ -76,10 +81,15 @@ class Tape {
   template <typename Same>
   Step found(std::uint64_t hash, const Same& same) const;
   Step add(std::uint64_t hash, Entry entry);
+  std::uint32_t support_number(std::vector<std::uint32_t> symbols);
+  std::uint32_t common_support(const std::vector<Summand>& summands);
   void enter(Step step);
 
   std::vector<Entry> entries_;
   std::vector<Summand> summands_;
+  /// Lists of symbols, each there once; the first is empty.
+  std::vector<std::vector<std::uint32_t>> supports_{{}};
+  std::map<std::vector<std::uint32_t>, std::uint32_t> support_numbers_{{{}, 0}};
   /// The same calculation is written down once: a hash table of all steps with places to spare,
   /// whose number is a power of two; `zero` where there is none.
   std::vector<Step> index_;

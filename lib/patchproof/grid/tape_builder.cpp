@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t longest_series = 256;
 constexpr std::size_t most_components = 150'000;
-constexpr std::size_t most_work = 2'000'000;
+constexpr std::size_t most_work = 10'000'000;
 constexpr long highest_power = 64;
 
 // A function as a lambda and the orders of the derivatives that are taken of it.
