@@ -2,8 +2,10 @@
 #include <catch2/catch.hpp>
 #include <tests/cases/case_files.hpp>
 
+#include <patchproof/decide/decide.hpp>
 #include <patchproof/grid/grid_proof.hpp>
 #include <patchproof/kernel/identity.hpp>
+#include <patchproof/kernel/witness.hpp>
 #include <patchproof/language/reader.hpp>
 
 namespace patchproof {
@@ -101,6 +103,39 @@ TEST_CASE("functions of functions of functions do not take for ever") {
   // Whether or not it is declined, there is an answer.
   holds_on_grid(goal, budget);
   SUCCEED();
+}
+
+TEST_CASE("where the sides differ there are values for which they do", "[law]") {
+  const std::string declared =
+      "  param u in [2, 5], v in [0, 1]\n  scalar a, b\n  point P, Q\n  point R in R^3\n"
+      "  point V[0..3, 0..3]\n  patch r(u,v) = bezier(V)\n";
+  for (const std::string statement :
+       {"u == v", "a == b", "a*u + b == b", "P == Q", "u*P + (1 - u)*Q == P", "R == (1, 0, 0)*a",
+        "R == R + (0, 0, 1)*(u - 2)*(u - 3)", "r(0,1) == V[0,1]", "diff(r, u, u, v, v) == 0*P",
+        "r(v, u) == r(u, v)", "a^2 == b^2 + 1", "a*b == a + b",
+        // Zero where the grid looks first: a third and a half of the ranges.
+        "(u - 3)*P == 0*P", "(2*v - 1)*(u - 3)*(u - 2) == 0", "(u - 3)*(2*v - 1)*r(u,v) == 0*P"}) {
+    INFO(statement);
+    const Goal goal = goal_of(declared + "  prove p: " + statement + "\n");
+    Budget budget{Limits{}};
+    const GridAnswer answer = answer_on_grid(goal, budget);
+    REQUIRE(answer.kind == GridAnswer::Kind::differs);
+    const WitnessCheck check = checked(goal, Witness{answer.values}, budget);
+    CHECK(check.consistent);
+    CHECK(check.refutes);
+  }
+}
+
+TEST_CASE("what is false is refuted, though its difference would take too long to write down") {
+  // The edges of a Coons patch of degree 30, and one corner that is taken twice.
+  const Goal goal = goal_of(
+      "  param u, v in [0, 1]\n  point V[0..30, 0..30]\n  patch b(u,v) = bezier(V)\n"
+      "  patch r(u,v) = coons(b(u,0), b(u,1), b(0,v), b(1,v))\n"
+      "  patch q(u,v) = bezier(discrete_coons(V))\n  prove p: r(u,v) == q(u,v) + u*v*V[0,0]\n");
+  const Decision decision = decided(goal, Limits{}, Engines::kernel);
+  CHECK(decision.verdict == Verdict::refuted);
+  CHECK(decision.residual.empty());
+  CHECK(decision.witness.left != decision.witness.right);
 }
 
 TEST_CASE("goals with assumptions are not for the grid") {

@@ -192,7 +192,7 @@ std::optional<Decision> refuted_at(const std::vector<KnownValue>& values, const 
 
 // With fractions, if that takes no more than so many steps.
 std::optional<Decision> refuted_soon(const Goal& goal, Budget& budget) {
-  constexpr std::uint64_t most_steps = 5'000'000;
+  constexpr std::uint64_t most_steps = 1'000'000;
   Limits limits = budget.limits();
   if (limits.steps != 0 && limits.steps <= most_steps) return std::nullopt;
   limits.steps = most_steps;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <patchproof/grid/modulus.hpp>
+#include <patchproof/grid/tape_values.hpp>
 
 namespace patchproof {
 
@@ -12,8 +12,6 @@ using Step = Tape::Step;
 using Entry = Tape::Entry;
 using Residue = Modulus::Residue;
 
-/// So many residues are kept at the most: 32 MB.
-constexpr std::size_t most_values = 4'000'000;
 /// More additions and multiplications than this are not begun: a second or so.
 constexpr std::uint64_t most_work = 200'000'000;
 
@@ -31,20 +29,12 @@ using Point = std::array<Rational, Tape::most_variables>;
 /// Calculates all steps of a tape at the points of a grid, modulo a prime.
 class GridRun {
  public:
-  GridRun(const Tape& tape, const std::vector<Step>& wanted) : tape_{tape}, wanted_{wanted} {
+  GridRun(const Tape& tape, const std::vector<Step>& wanted)
+      : tape_{tape}, wanted_{wanted}, values_{tape} {
     for (const Step step : wanted)
       for (std::size_t k = 0; k < Tape::most_variables; ++k)
         degrees_[k] = std::max(degrees_[k], tape.entry(step).degrees[k]);
-    places_.reserve(tape.entries().size());
-    std::size_t place = 0;
-    for (Step step = 0; step < tape.entries().size(); ++step) {
-      places_.push_back(place);
-      place += width_of(step);
-    }
-    if (place > most_values) throw Declined{"too many values"};
-    values_.resize(place);
     find_levels();
-    find_positions();
   }
 
   /// About how many additions and multiplications one prime costs.
@@ -53,9 +43,7 @@ class GridRun {
     std::uint64_t points = 1;
     for (std::size_t level = 0; level <= Tape::most_variables; ++level) {
       if (level > 0) points *= std::uint64_t{degrees_[level - 1]} + 1;
-      for (const Step step : levels_[level]) {
-        result += points * work_of(step);
-      }
+      for (const Step step : levels_[level]) result += points * values_.work_of(step);
       if (points > most_work || result > most_work) return most_work + 1;
     }
     return result;
@@ -72,6 +60,7 @@ class GridRun {
 
   bool all_zero(const Modulus& modulus, const Places& places = {}) {
     modulus_ = &modulus;
+    values_.begin(modulus);
     for (std::size_t k = 0; k < Tape::most_variables; ++k) {
       starts_[k] = modulus.residue(places[k].start);
       distances_[k] = modulus.residue(places[k].distance);
@@ -82,8 +71,9 @@ class GridRun {
 
   /// At one point only.
   bool all_zero_at(const Point& point, const Modulus& modulus) {
-    modulus_ = &modulus;
-    for (std::size_t k = 0; k < Tape::most_variables; ++k) point_[k] = modulus.residue(point[k]);
+    values_.begin(modulus);
+    for (std::size_t k = 0; k < Tape::most_variables; ++k)
+      values_.set_variable(k, modulus.residue(point[k]));
     for (std::size_t level = 0; level <= Tape::most_variables; ++level) run(level);
     return visit(Tape::most_variables);
   }
@@ -100,49 +90,15 @@ class GridRun {
   GridDifference difference(const Point& point) const {
     GridDifference result{point, std::nullopt};
     for (const Step step : wanted_) {
-      const Residue* value = &values_[places_[step]];
-      for (std::size_t k = 0; k < width_of(step); ++k) {
-        if (value[k] == 0) continue;
-        if (k > 0) result.symbol = tape_.support(step)[k - 1];
-        return result;
-      }
+      const std::optional<std::size_t> part = values_.first_part_not_zero(step);
+      if (!part) continue;
+      if (*part > 0) result.symbol = tape_.support(step)[*part - 1];
+      return result;
     }
     return result;
   }
 
  private:
-  // What has no symbols, and the coefficients of the symbols that occur.
-  std::size_t width_of(Step step) const { return 1 + tape_.support(step).size(); }
-
-  std::uint64_t work_of(Step step) const {
-    const Entry& entry = tape_.entry(step);
-    std::uint64_t result = width_of(step);
-    for (std::uint32_t k = 0; k < entry.count; ++k)
-      result += width_of(tape_.summands()[entry.index + k].step);
-    return result;
-  }
-
-  // Where the symbols of a summand are among those of the sum, unless they are the same.
-  void find_positions() {
-    first_position_.resize(tape_.summands().size());
-    for (Step step = 0; step < tape_.entries().size(); ++step) {
-      const Entry& entry = tape_.entry(step);
-      if (entry.operation != Tape::Operation::sum) continue;
-      const std::vector<std::uint32_t>& all = tape_.support(step);
-      for (std::uint32_t k = entry.index; k < entry.index + entry.count; ++k) {
-        const Step part = tape_.summands()[k].step;
-        first_position_[k] = positions_.size();
-        if (tape_.entry(part).support == entry.support) continue;
-        if (positions_.size() > most_values) throw Declined{"too many values"};
-        auto place = all.begin();
-        for (const std::uint32_t symbol : tape_.support(part)) {
-          place = std::lower_bound(place, all.end(), symbol);
-          positions_.push_back(static_cast<std::uint32_t>(place - all.begin()));
-        }
-      }
-    }
-  }
-
   // Level 0 is the same everywhere; level k + 1 changes with variable k, and perhaps with earlier
   // ones.
   void find_levels() {
@@ -157,87 +113,31 @@ class GridRun {
 
   bool visit(std::size_t variable) {
     if (variable == Tape::most_variables)
-      return std::all_of(wanted_.begin(), wanted_.end(), [&](Step step) { return is_zero(step); });
+      return std::all_of(wanted_.begin(), wanted_.end(),
+                         [&](Step step) { return !values_.first_part_not_zero(step); });
     for (unsigned value = 0; value <= degrees_[variable]; ++value) {
       at_[variable] = value;
-      point_[variable] =
-          modulus_->sum(starts_[variable],
-                        modulus_->product(distances_[variable], modulus_->residue(Integer{value})));
+      const Residue way =
+          modulus_->product(distances_[variable], modulus_->residue(Integer{value}));
+      values_.set_variable(variable, modulus_->sum(starts_[variable], way));
       run(variable + 1);
       if (!visit(variable + 1)) return false;
     }
     return true;
   }
 
-  bool is_zero(Step step) const {
-    const Residue* value = &values_[places_[step]];
-    return std::all_of(value, value + width_of(step), [](Residue part) { return part == 0; });
-  }
-
   void run(std::size_t level) {
-    for (const Step step : levels_[level]) calculate(step);
-  }
-
-  void calculate(Step step) {
-    const Entry& entry = tape_.entry(step);
-    Residue* result = &values_[places_[step]];
-    const std::size_t width = width_of(step);
-    switch (entry.operation) {
-      case Tape::Operation::number:
-        result[0] = modulus_->residue(entry.number);
-        return;
-      case Tape::Operation::variable:
-        result[0] = point_[entry.index];
-        return;
-      case Tape::Operation::symbol:
-        result[0] = 0;
-        result[1] = modulus_->residue(Integer{1});
-        return;
-      case Tape::Operation::product: {
-        const Residue factor = values_[places_[entry.second]];
-        const Residue* other = &values_[places_[entry.first]];
-        for (std::size_t k = 0; k < width; ++k) result[k] = modulus_->product(other[k], factor);
-        return;
-      }
-      case Tape::Operation::sum:
-        std::fill(result, result + width, 0);
-        for (std::uint32_t k = entry.index; k < entry.index + entry.count; ++k)
-          add(k, entry.support, result);
-    }
-  }
-
-  void add(std::uint32_t summand, std::uint32_t support, Residue* result) const {
-    const auto [step, negative] = tape_.summands()[summand];
-    const Residue* value = &values_[places_[step]];
-    const std::size_t width = width_of(step);
-    if (tape_.entry(step).support == support) {
-      for (std::size_t k = 0; k < width; ++k) result[k] = combined(result[k], value[k], negative);
-      return;
-    }
-    result[0] = combined(result[0], value[0], negative);
-    const std::uint32_t* position = &positions_[first_position_[summand]];
-    for (std::size_t k = 1; k < width; ++k) {
-      Residue& own = result[1 + position[k - 1]];
-      own = combined(own, value[k], negative);
-    }
-  }
-
-  Residue combined(Residue a, Residue b, bool negative) const {
-    return negative ? modulus_->difference(a, b) : modulus_->sum(a, b);
+    for (const Step step : levels_[level]) values_.calculate(step);
   }
 
   const Tape& tape_;
   const std::vector<Step>& wanted_;
+  TapeValues values_;
   std::array<std::uint16_t, Tape::most_variables> degrees_{};
-  std::vector<std::size_t> places_;
-  std::vector<Residue> values_;
-  std::vector<std::uint32_t> positions_;
-  std::vector<std::size_t> first_position_;
   std::array<std::vector<Step>, Tape::most_variables + 1> levels_;
   std::array<Residue, Tape::most_variables> starts_{};
   std::array<Residue, Tape::most_variables> distances_{};
   std::array<unsigned, Tape::most_variables> at_{};
-  std::array<Residue, Tape::most_variables> point_{};
   const Modulus* modulus_ = nullptr;
 };
 

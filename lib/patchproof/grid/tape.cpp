@@ -7,6 +7,7 @@ namespace patchproof {
 namespace {
 
 constexpr std::size_t most_steps = 400'000;
+constexpr std::size_t most_in_supports = 4'000'000;
 constexpr unsigned most_bits = 1200;
 constexpr unsigned highest_degree = 10'000;
 
@@ -69,7 +70,11 @@ Tape::Step Tape::add(std::uint64_t hash, Entry entry) {
 std::uint32_t Tape::support_number(std::vector<std::uint32_t> symbols) {
   const auto number = static_cast<std::uint32_t>(supports_.size());
   const auto [found, is_new] = support_numbers_.emplace(std::move(symbols), number);
-  if (is_new) supports_.push_back(found->first);
+  if (is_new) {
+    symbols_in_supports_ += found->first.size();
+    if (symbols_in_supports_ > most_in_supports) throw Declined{"too many symbols"};
+    supports_.push_back(found->first);
+  }
   return found->second;
 }
 

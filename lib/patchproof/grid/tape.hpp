@@ -90,6 +90,7 @@ class Tape {
   /// Lists of symbols, each there once; the first is empty.
   std::vector<std::vector<std::uint32_t>> supports_{{}};
   std::map<std::vector<std::uint32_t>, std::uint32_t> support_numbers_{{{}, 0}};
+  std::size_t symbols_in_supports_ = 0;
   /// The same calculation is written down once: a hash table of all steps with places to spare,
   /// whose number is a power of two; `zero` where there is none.
   std::vector<Step> index_;
