@@ -21,8 +21,8 @@ class UnwritableFile : public std::runtime_error {
 };
 
 /// A regular file, or standard input for "-", block by block, so that only one block of it is in
-/// memory. Devices and pipes other than standard input are refused, and more than so many megabytes.
-/// The source throws UnreadableFile.
+/// memory. Devices and pipes other than standard input are refused, and more than so many
+/// megabytes. The source throws UnreadableFile.
 ByteSource file_blocks(const std::string& path, std::size_t megabytes);
 
 /// A file that is written part by part. Only once it is finished it stands under its name: there is

@@ -108,7 +108,8 @@ KnotVector knots_of(const SegmentsArguments& arguments, const PointNet& net, std
     const std::string option = "--knots-" + letter;
     if (!written.empty() && net.knots)
       throw UsageError{option + ": the file of the net gives the knots"};
-    return {degree, written.empty() ? (*net.knots)[direction] : numbers_of(option, written), points};
+    return {degree, written.empty() ? (*net.knots)[direction] : numbers_of(option, written),
+            points};
   } catch (const KnotFault& fault) {
     print_error(shown_name(arguments.net) + ": error: in " + letter + ": " + fault.what() + "\n");
     throw Unreadable{};
@@ -134,8 +135,9 @@ class SegmentOutput {
         throw UnwritableFile{"it is one of the files that are read"};
     }
     file_ = std::make_unique<FileInParts>(arguments.output);
-    writer_ = std::make_unique<SegmentWriter>(is_json_file(arguments.output), shape,
-                                              [this](const std::string& text) { file_->write(text); });
+    writer_ =
+        std::make_unique<SegmentWriter>(is_json_file(arguments.output), shape,
+                                        [this](const std::string& text) { file_->write(text); });
   }
   void add(const SegmentStrip& strip) {
     if (writer_) writer_->add(strip);
@@ -158,10 +160,12 @@ void convert(const SegmentsArguments& arguments, const PointNet& net, int contin
     report.findings = segments_of(net, report.u, report.v, continuity, sink);
   };
   if (arguments.against.empty()) {
-    run(arguments.output.empty() ? StripSink{} : [&](const SegmentStrip& strip) { output.add(strip); });
+    run(arguments.output.empty() ? StripSink{}
+                                 : [&](const SegmentStrip& strip) { output.add(strip); });
   } else {
     reading(arguments.against, most_segment_megabytes, [&](ByteSource source) {
-      SegmentComparison comparison{is_json_file(arguments.against), std::move(source), report.shape};
+      SegmentComparison comparison{is_json_file(arguments.against), std::move(source),
+                                   report.shape};
       run([&](const SegmentStrip& strip) {
         output.add(strip);
         comparison.compare(strip);
@@ -207,18 +211,23 @@ void declare(CLI::App& command, SegmentsArguments& a) {
                           const std::string& type) {
     return command.add_option(name, value, what)->option_text(type);
   };
-  option("NET", a.net, "A file of points: .json, or lines of coordinates; - for standard input", "");
-  option("--degrees", a.degrees, "The degrees in u and v; usual are 3,3, or what the file says", "P,Q");
-  option("--knots-u", a.knots[0], "The knots in u; usual are those of the file, or clamped uniform", "LIST");
+  option("NET", a.net, "A file of points: .json, or lines of coordinates; - for standard input",
+         "");
+  option("--degrees", a.degrees, "The degrees in u and v; usual are 3,3, or what the file says",
+         "P,Q");
+  option("--knots-u", a.knots[0], "The knots in u; usual are those of the file, or clamped uniform",
+         "LIST");
   option("--knots-v", a.knots[1], "The knots in v", "LIST");
   option("--continuity", a.continuity,
          "The k of the C^k that is decided at all seams; usual is the smaller degree less 1", "K");
-  option("--output", a.output, "Write the segments to a file, .json or lines of coordinates", "FILE");
+  option("--output", a.output, "Write the segments to a file, .json or lines of coordinates",
+         "FILE");
   option("--against", a.against, "Compare with the segments in this file, .json or lines", "FILE");
   option("--format", a.format, "text (usual) or json", "FORMAT")
       ->check(CLI::IsMember(std::set<std::string>{"text", "json"}));
   command.footer(
-      "Ends with 0 when everything is proved, 1 when something is refuted, 4 when a file cannot be\n"
+      "Ends with 0 when everything is proved, 1 when something is refuted, 4 when a file cannot "
+      "be\n"
       "read or written, 64 for a wrong command line, 70 for a fault of the program.\n\n"
       "Example:\n  patchproof segments surface.csv --against my_segments.csv\n");
 }
@@ -231,8 +240,7 @@ void add_segments(CLI::App& program, ExitCode& result) {
       program.add_subcommand("segments", "Convert a B-spline net to Bézier segments, with proofs");
   declare(*command, *arguments);
   command->callback([arguments, &result] {
-    if (arguments->net.empty())
-      throw UsageError{"no net: name a file, or '-' for standard input"};
+    if (arguments->net.empty()) throw UsageError{"no net: name a file, or '-' for standard input"};
     if (arguments->net == "-" && arguments->against == "-")
       throw UsageError{"standard input cannot be both the net and the segments"};
     result = run(*arguments);

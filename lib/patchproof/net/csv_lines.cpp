@@ -14,7 +14,8 @@ bool is_letter(int c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
 bool is_end_of_line(int c) { return c == '\n' || c == '#' || c == ByteReader::end_of_text; }
 
 bool is_of_field(unsigned char c) {
-  return c > ' ' ? c != ',' && c != ';' && c != '#' : c != ' ' && c != '\t' && c != '\r' && c != '\n';
+  return c > ' ' ? c != ',' && c != ';' && c != '#'
+                 : c != ' ' && c != '\t' && c != '\r' && c != '\n';
 }
 
 std::string words(char separator) {

@@ -16,6 +16,8 @@ namespace {
 /// So many digits fit a word whatever they are.
 constexpr std::size_t digits_in_word = 18;
 
+constexpr std::size_t hexadecimal_digits_in_word = 15;
+
 constexpr std::array<std::int64_t, digits_in_word + 1> powers_of_ten = [] {
   std::array<std::int64_t, digits_in_word + 1> powers{1};
   for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = powers[k - 1] * 10;
@@ -53,7 +55,8 @@ class Token {
   [[noreturn]] void fail_as_unreadable() const {
     std::string lower;
     for (const char c : text_.substr(0, 10))
-      if (c != '-' && c != '+') lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      if (c != '-' && c != '+')
+        lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     if (lower.starts_with("nan") || lower.starts_with("inf"))
       fail("'" + std::string{text_.substr(0, 20)} + "' is not a point of any patch",
            "nets have finite, exact coordinates");
@@ -77,7 +80,8 @@ class Token {
     if (negative || next() == '+') ++at_;
     const std::string_view written = digits();
     if (written.empty()) fail_as_unreadable();
-    const std::string_view significant = written.substr(std::min(written.find_first_not_of('0'), written.size()));
+    const std::string_view significant =
+        written.substr(std::min(written.find_first_not_of('0'), written.size()));
     const int value = significant.size() > 9 ? largest + 1 : word(significant);
     if (value > largest)
       fail("an exponent beyond " + std::to_string(largest),
@@ -132,6 +136,8 @@ class Token {
   /// Behind "0x": digits, a point, digits, and an exponent of two.
   Rational hexadecimal() {
     at_ += 2;
+    // The digits of a number of 64 bits with floating point fit a word.
+    std::uint64_t word = 0;
     Integer mantissa = 0;
     int binary_digits_behind = 0;
     bool behind = false;
@@ -143,7 +149,12 @@ class Token {
       }
       const int digit = hexadecimal_digit(text_[at_]);
       if (digit < 0) break;
-      mantissa = mantissa * 16 + digit;
+      if (count < hexadecimal_digits_in_word) {
+        word = word * 16 + static_cast<std::uint64_t>(digit);
+      } else {
+        if (count == hexadecimal_digits_in_word) mantissa = word;
+        mantissa = mantissa * 16 + digit;
+      }
       binary_digits_behind += behind ? 4 : 0;
       ++count;
     }
@@ -153,7 +164,10 @@ class Token {
       ++at_;
       scale += exponent(largest_binary_exponent);
     }
-    return Rational{mantissa} * power(Rational{2}, scale);
+    if (count > hexadecimal_digits_in_word) return Rational{mantissa} * power(Rational{2}, scale);
+    const auto whole = static_cast<std::int64_t>(word);
+    if (-62 <= scale && scale <= 0) return Rational{whole, std::int64_t{1} << -scale};
+    return Rational{whole} * power(Rational{2}, scale);
   }
 
   std::string_view text_;

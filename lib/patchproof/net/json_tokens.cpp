@@ -11,7 +11,8 @@ bool is_digit(char c) { return '0' <= c && c <= '9'; }
 bool is_blank(int c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 bool is_of_bare_token(unsigned char c) {
-  return c > ' ' && c != ',' && c != ']' && c != '}' && c != '[' && c != '{' && c != ':' && c != '"';
+  return c > ' ' && c != ',' && c != ']' && c != '}' && c != '[' && c != '{' && c != ':' &&
+         c != '"';
 }
 
 bool is_of_text(unsigned char c) { return c >= ' ' && c != '"' && c != '\\'; }
@@ -106,8 +107,9 @@ int JsonTokens::whole(const std::string& what, int low, int high) {
   const Rational value = number();
   if (!value.is_small() || value.words().denominator != 1 || value < Rational{low} ||
       value > Rational{high})
-    throw NetFault{begin_, end_, what + " is a whole number from " + std::to_string(low) + " to " +
-                                     std::to_string(high)};
+    throw NetFault{
+        begin_, end_,
+        what + " is a whole number from " + std::to_string(low) + " to " + std::to_string(high)};
   return static_cast<int>(value.words().numerator);
 }
 
@@ -119,8 +121,9 @@ std::string_view JsonTokens::quoted(std::size_t most) {
   end_ = begin_ + 1 + text_.size();
   if (text_.size() == most) return text_;
   if (bytes_.peek() != '"')
-    throw NetFault{begin_, end_, bytes_.peek() == '\\' ? "an escape where a number or a name stands"
-                                                       : "a text without its closing '\"'"};
+    throw NetFault{begin_, end_,
+                   bytes_.peek() == '\\' ? "an escape where a number or a name stands"
+                                         : "a text without its closing '\"'"};
   bytes_.advance();
   ++end_;
   return text_;
@@ -130,8 +133,7 @@ std::string JsonTokens::name() {
   constexpr std::size_t longest = 100;
   if (!is('"')) fail_expected("a name in quotes");
   const std::string result{quoted(longest)};
-  if (result.size() == longest)
-    throw NetFault{begin_, end_, "a name with more than 99 characters"};
+  if (result.size() == longest) throw NetFault{begin_, end_, "a name with more than 99 characters"};
   return result;
 }
 

@@ -37,7 +37,8 @@ KnotVector::KnotVector(int degree, std::vector<Rational> knots, std::size_t poin
   }
   for (std::size_t k = p; k < points; ++k)
     if (knots_[k] < knots_[k + 1]) spans_.push_back(k);
-  if (spans_.empty()) throw KnotFault{"these knots leave no interval for the spline to be defined on"};
+  if (spans_.empty())
+    throw KnotFault{"these knots leave no interval for the spline to be defined on"};
 }
 
 KnotVector KnotVector::clamped_uniform(int degree, std::size_t points) {

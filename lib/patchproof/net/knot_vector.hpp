@@ -18,9 +18,10 @@ class KnotFault : public std::invalid_argument {
 /// The largest degree of a net that is converted to Bézier segments.
 inline constexpr int highest_net_degree = 9;
 
-/// The degree p and the knots t[0] <= … <= t[n+p] of the B-splines N[0], …, N[n-1] in one direction.
-/// They are defined from t[p] to t[n]; the intervals of positive length in there are the spans, each
-/// of which has a Bézier segment. Source: Piegl and Tiller, The NURBS Book, section 2.2.
+/// The degree p and the knots t[0] <= … <= t[n+p] of the B-splines N[0], …, N[n-1] in one
+/// direction. They are defined from t[p] to t[n]; the intervals of positive length in there are the
+/// spans, each of which has a Bézier segment. Source: Piegl and Tiller, The NURBS Book,
+/// section 2.2.
 class KnotVector {
  public:
   /// For n control points. @throws KnotFault when the degree is not from 1 to `highest_net_degree`,

@@ -38,8 +38,8 @@ void NetBuilder::end_point(BytePlace place) {
                    "row " + std::to_string(net_.rows + 1) + " has more points than the " +
                        std::to_string(net_.columns) + " of the rows before"};
   if (points_ == limits_.points)
-    throw NetFault{place.begin, place.end,
-                   "more than " + counted(limits_.points, "point"), limits_.help};
+    throw NetFault{place.begin, place.end, "more than " + counted(limits_.points, "point"),
+                   limits_.help};
   ++points_;
   coordinates_before_ = net_.coordinates.size();
 }

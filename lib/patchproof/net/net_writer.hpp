@@ -6,8 +6,8 @@
 
 namespace patchproof {
 
-/// The net as lines of points, an empty line behind each row, as `net_from_csv` reads it: numbers as
-/// p or p/q. Degrees and knots are not part of it.
+/// The net as lines of points, an empty line behind each row, as `net_from_csv` reads it: numbers
+/// as p or p/q. Degrees and knots are not part of it.
 std::string net_as_csv(const PointNet& net);
 
 /// The net as JSON, as `net_from_json` reads it: whole numbers as such, others as "p/q"; with its

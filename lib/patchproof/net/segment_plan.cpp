@@ -28,7 +28,8 @@ void set_ratio(const Rational& before, const Rational& behind, SeamPlan& seam) {
   seam.behind.emplace_back(denominator(ratio));
 }
 
-Rational sum_of_absolutes(const std::vector<Rational>& weights, std::size_t from, std::size_t count) {
+Rational sum_of_absolutes(const std::vector<Rational>& weights, std::size_t from,
+                          std::size_t count) {
   Rational sum;
   for (std::size_t k = from; k < from + count; ++k) sum += abs(weights[k]);
   return sum;
@@ -60,9 +61,8 @@ SpanPlan span_plan(const KnotVector& knots, std::size_t s, std::size_t first_new
 
 bool make_whole(SpanPlan& span) {
   return make_whole(span.weights, span.denominator) &&
-         std::all_of(span.back.begin(), span.back.end(), [](ReturnPlan& back) {
-           return make_whole(back.weights, back.denominator);
-         });
+         std::all_of(span.back.begin(), span.back.end(),
+                     [](ReturnPlan& back) { return make_whole(back.weights, back.denominator); });
 }
 
 std::optional<DirectionPlan> planned(const KnotVector& knots, int continuity, bool whole) {

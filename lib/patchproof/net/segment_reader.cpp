@@ -142,7 +142,8 @@ class SegmentJson : public SegmentReader {
   /// What stands before the coordinates of the point (k, l) of segment (s, t).
   void open() {
     const auto next = [&](bool first, const std::string& of_what) {
-      first ? json_.expect('[', "'[' and " + of_what) : json_.expect(',', "',' and more " + of_what);
+      first ? json_.expect('[', "'[' and " + of_what)
+            : json_.expect(',', "',' and more " + of_what);
     };
     if (l_ == 0 && k_ == 0 && t_ == 0) next(s_ == 0, "rows of segments");
     if (l_ == 0 && k_ == 0) next(t_ == 0, "the segments of a row");

@@ -8,8 +8,8 @@
 
 namespace patchproof {
 
-/// The points of Bézier segments in the form that `SegmentWriter` writes, one after the other: segment
-/// by segment, v faster than u, and in each of them (k, l) with l faster than k.
+/// The points of Bézier segments in the form that `SegmentWriter` writes, one after the other:
+/// segment by segment, v faster than u, and in each of them (k, l) with l faster than k.
 class SegmentReader {
  public:
   virtual ~SegmentReader() = default;

@@ -19,7 +19,8 @@ struct SegmentShape {
   std::size_t points() const { return u_spans * v_spans * points_of_segment(); }
 };
 
-/// Writes Bézier segments, strip by strip, as lines of points or as JSON; docs/nets.md has the form.
+/// Writes Bézier segments, strip by strip, as lines of points or as JSON; docs/nets.md has the
+/// form.
 class SegmentWriter {
  public:
   /// Takes the next part of the text.

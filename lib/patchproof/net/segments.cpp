@@ -4,6 +4,7 @@
 
 #include <patchproof/algebra/number.hpp>
 #include <patchproof/net/common_denominator.hpp>
+#include <patchproof/net/every_net.hpp>
 #include <patchproof/net/net_builder.hpp>
 #include <patchproof/net/segments.hpp>
 #include <patchproof/net/strip_conversion.hpp>
@@ -36,13 +37,13 @@ struct WholePlan {
 /// the largest numerator of the net on. A comparison is the last step, and the way back as well.
 std::size_t bits_for(const PointNet& net, const WholePlan& plan) {
   Rational height{1};
-  for (const Rational& value : net.coordinates) height = std::max(height, abs(value));
+  for (const Rational& value : net.coordinates)
+    if (value > height || -value > height) height = abs(value);
   height *= plan.denominator;
   const Rational segment = height * plan.u.largest_weights() * plan.v.largest_weights();
   const Rational compared =
       segment * std::max(plan.u.largest_comparison(), plan.v.largest_comparison());
-  const Rational returned =
-      segment * plan.u.largest_back_weights() * plan.v.largest_back_weights();
+  const Rational returned = segment * plan.u.largest_back_weights() * plan.v.largest_back_weights();
   const Rational expected = height * plan.u.largest_denominator() *
                             plan.u.largest_back_denominator() * plan.v.largest_denominator() *
                             plan.v.largest_back_denominator();
@@ -122,8 +123,13 @@ class SeamRecord {
              (power(knots_.length_of(span), found.order) * plan_.spans[span].denominator *
               denominator);
     };
-    return {found.u_span, found.v_span, found.order, found.coefficient, found.coordinate,
-            derivative(found.before, along), derivative(found.behind, along + 1)};
+    return {found.u_span,
+            found.v_span,
+            found.order,
+            found.coefficient,
+            found.coordinate,
+            derivative(found.before, along),
+            derivative(found.behind, along + 1)};
   }
 
   const KnotVector& knots_;
@@ -135,6 +141,13 @@ class SeamRecord {
   std::size_t counted_ = 0;
 };
 
+/// Whether splines over these knots have the continuity at every seam, for any points.
+bool given_by_knots(const DirectionPlan& plan, int continuity) {
+  return std::all_of(plan.seams.begin(), plan.seams.end(), [&](const SeamPlan& seam) {
+    return seam.given_order >= std::min(continuity, plan.degree);
+  });
+}
+
 template <typename Number>
 void convert(const Task& task, const WholePlan& plan, const Number* points,
              SegmentFindings& findings) {
@@ -143,19 +156,24 @@ void convert(const Task& task, const WholePlan& plan, const Number* points,
   StripConversion<Number> strips{points, task.net.columns, task.net.dimension, u, v};
   SeamRecord<Number> u_record{task.u, plan.u, v.spans(), task.continuity, findings.u};
   SeamRecord<Number> v_record{task.v, plan.v, u.spans(), task.continuity, findings.v};
-  bool right = true;
+  bool right = findings.for_every_net;
+  const bool compare_u = findings.from_numbers || !given_by_knots(plan.u, task.continuity);
+  const bool compare_v = findings.from_numbers || !given_by_knots(plan.v, task.continuity);
+  findings.are_the_surface = right;
+  if (!compare_u && !compare_v && !task.sink) return;
   for (std::size_t s = 0; s < u.spans(); ++s) {
     strips.convert(s);
-    if (s > 0)
+    if (s > 0 && compare_u)
       strips.compare_with_last(s, [&](const Difference<Number>& found) {
         const Rational over = plan.denominator * plan.v.spans[found.v_span].denominator;
         right = u_record.add(found, found.u_span, over) && right;
       });
-    strips.compare_inside(s, [&](const Difference<Number>& found) {
-      const Rational over = plan.denominator * plan.u.spans[found.u_span].denominator;
-      right = v_record.add(found, found.v_span, over) && right;
-    });
-    right = strips.leads_back(s) && right;
+    if (compare_v)
+      strips.compare_inside(s, [&](const Difference<Number>& found) {
+        const Rational over = plan.denominator * plan.u.spans[found.u_span].denominator;
+        right = v_record.add(found, found.v_span, over) && right;
+      });
+    if (findings.from_numbers) right = strips.leads_back(s) && right;
     if (task.sink) task.sink(Strip<Number>{strips, s, plan.u, plan.v, plan.denominator});
   }
   findings.are_the_surface = right;
@@ -199,9 +217,12 @@ void require_fit(const KnotVector& knots, std::size_t points, const std::string&
 
 std::string to_text(Arithmetic arithmetic) {
   switch (arithmetic) {
-    case Arithmetic::words: return "words of 64 bits";
-    case Arithmetic::double_words: return "words of 128 bits";
-    default: return "fractions of any size";
+    case Arithmetic::words:
+      return "words of 64 bits";
+    case Arithmetic::double_words:
+      return "words of 128 bits";
+    default:
+      return "fractions of any size";
   }
 }
 
@@ -220,8 +241,11 @@ SegmentFindings segments_of(const PointNet& net, const KnotVector& u, const Knot
   findings.arithmetic = arithmetic.value_or(enough);
   if (findings.arithmetic < enough)
     throw std::overflow_error{to_text(findings.arithmetic) + " are not shown to be enough"};
+  if (plan) findings.for_every_net = holds_for_every_net(plan->u) && holds_for_every_net(plan->v);
   if (findings.arithmetic == Arithmetic::fractions) {
     plan = WholePlan{direction_plan(u, continuity), direction_plan(v, continuity), Rational{1}, 0};
+    findings.for_every_net = holds_for_every_net(plan->u) && holds_for_every_net(plan->v);
+    findings.from_numbers = net.rows * net.columns <= most_points_of_fractions;
     convert<Rational>(task, *plan, net.coordinates.data(), findings);
   } else if (findings.arithmetic == Arithmetic::words) {
     convert<std::int64_t>(task, *plan, numerators<std::int64_t>(net, plan->denominator).data(),

@@ -40,8 +40,8 @@ struct SeamBreak {
   std::size_t v_span = 0;
   /// Of the derivative across the seam, with respect to the parameter of the spline.
   int order = 0;
-  /// The derivative is a polynomial along the seam; which Bézier coefficient of it, and which of its
-  /// coordinates.
+  /// The derivative is a polynomial along the seam; which Bézier coefficient of it, and which of
+  /// its coordinates.
   std::size_t coefficient = 0;
   std::size_t coordinate = 0;
   Rational before;
@@ -72,18 +72,31 @@ struct SegmentFindings {
   std::size_t bits = 0;
   std::size_t u_spans = 0;
   std::size_t v_spans = 0;
+  /// Whether the way to the segments is right for every net over these knots: see
+  /// `holds_for_every_net`. Something else is a fault of the program.
+  bool for_every_net = true;
   /// Whether the segments, as they were made, are the B-spline surface of the net: each of them
   /// joins the next one with the smoothness of splines over these knots, and the control points
   /// calculated from the segments are those of the net. Something else is a fault of the program.
   bool are_the_surface = true;
+  /// Whether that was found out from the numbers of this net. It follows from the proof for every
+  /// net alone where a large net needs fractions of any size.
+  bool from_numbers = true;
   /// Control points without a span they belong to: the surface does not depend on them.
   std::size_t unused_points = 0;
   SeamFindings u;
   SeamFindings v;
 };
 
+/// Up to here nets of fractions of any size are looked at point by point.
+inline constexpr std::size_t most_points_of_fractions = 10'000;
+
 /// The Bézier segments of the B-spline surface with this net, strip by strip; each strip is proved
 /// to be right and then shown to the sink, where there is one. Only two strips are in memory.
+///
+/// Nets of more than `most_points_of_fractions` points for which words are not enough are compared
+/// only at those seams where splines do not have the continuity asked for; the rest follows from
+/// the proof for every net.
 ///
 /// C^k is decided for k = `continuity` across every seam: by the one-sided derivatives up to order
 /// k, calculated from the Bézier points. Without `arithmetic` the fastest one is taken for which a

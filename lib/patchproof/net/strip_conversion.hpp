@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #include <patchproof/net/knot_vector.hpp>
@@ -8,8 +10,9 @@
 
 namespace patchproof {
 
-/// Two derivatives across a seam that differ: the spans of the segment before, the order, the Bézier
-/// coefficient along the seam, the coordinate, and both differences of Bézier points of this order.
+/// Two derivatives across a seam that differ: the spans of the segment before, the order, the
+/// Bézier coefficient along the seam, the coordinate, and both differences of Bézier points of this
+/// order.
 template <typename Number>
 struct Difference {
   std::size_t u_span;
@@ -21,9 +24,9 @@ struct Difference {
   Number behind;
 };
 
-/// Bézier segments strip by strip, over common denominators: numbers of a strip are to be divided by
-/// that of the net, of the span in u and of the span in v. The Number is exact as long as it does
-/// not overflow, which whoever uses this has to know.
+/// Bézier segments strip by strip, over common denominators: numbers of a strip are to be divided
+/// by that of the net, of the span in u and of the span in v. The Number is exact as long as it
+/// does not overflow, which whoever uses this has to know.
 template <typename Number>
 class StripConversion {
  public:
@@ -31,9 +34,15 @@ class StripConversion {
   /// of it has to live as long.
   StripConversion(const Number* points, std::size_t columns, std::size_t dimension,
                   const StripWeights<Number>& u, const StripWeights<Number>& v)
-      : points_{points}, row_{columns * dimension}, dimension_{dimension}, u_{u}, v_{v},
+      : points_{points},
+        row_{columns * dimension},
+        dimension_{dimension},
+        u_{u},
+        v_{v},
         line_{v.spans() * (v.degree + 1) * dimension},
-        rows_(row_), strip_((u.degree + 1) * line_), before_(strip_.size()) {}
+        rows_(row_),
+        strip_((u.degree + 1) * line_),
+        before_(strip_.size()) {}
 
   /// Goes to this strip; the one before stays known.
   void convert(std::size_t s) {
@@ -58,18 +67,13 @@ class StripConversion {
     const auto& seam = u_.seams[s - 1];
     for (int order = 0; order <= seam.order; ++order) {
       const auto r = static_cast<std::size_t>(order);
-      const std::array<Number, highest_net_degree + 1> signs = alternating(r);
+      difference(r, before_.data() + p * line_, -static_cast<std::ptrdiff_t>(line_), differences_);
+      difference(r, strip_.data() + r * line_, -static_cast<std::ptrdiff_t>(line_), behind_);
       for (std::size_t e = 0; e < line_; ++e) {
-        Number before{};
-        Number behind{};
-        for (std::size_t i = 0; i <= r; ++i) {
-          before += signs[i] * before_[(p - i) * line_ + e];
-          behind += signs[i] * strip_[(r - i) * line_ + e];
-        }
-        if (before * seam.before[r] == behind * seam.behind[r]) continue;
+        if (differences_[e] * seam.before[r] == behind_[e] * seam.behind[r]) continue;
         const std::size_t point = e / dimension_;
         differ(Difference<Number>{s - 1, point / (v_.degree + 1), order, point % (v_.degree + 1),
-                                  e % dimension_, before, behind});
+                                  e % dimension_, differences_[e], behind_[e]});
       }
     }
   }
@@ -77,14 +81,14 @@ class StripConversion {
   /// Compares the segments of strip s with each other along their seams.
   template <typename Differ>
   void compare_inside(std::size_t s, const Differ& differ) {
-    const std::size_t q = v_.degree;
-    for (std::size_t t = 0; t + 1 < v_.spans(); ++t) {
-      const auto& seam = v_.seams[t];
+    with_sizes([&](auto q, auto dimension) {
       for (std::size_t k = 0; k <= u_.degree; ++k) {
-        const Number* last = strip_.data() + k * line_ + (t * (q + 1) + q) * dimension_;
-        for (std::size_t c = 0; c < dimension_; ++c) compare(s, t, k, c, last, seam, differ);
+        const Number* last = strip_.data() + k * line_ + q * dimension;
+        for (std::size_t t = 0; t + 1 < v_.spans(); ++t, last += (q + 1) * dimension)
+          for (std::size_t c = 0; c < dimension; ++c)
+            compare(Place{s, t, k, c}, last + c, dimension, differ);
       }
-    }
+    });
   }
 
   /// Calculates back the control points that this strip has and none before, from the segments, and
@@ -94,10 +98,14 @@ class StripConversion {
     for (const auto& u_return : u_.back[s]) {
       combine(u_return.weights.data(), u_.degree + 1, strip_.data(), line_, line_, line());
       const Number* expected = points_ + u_return.control_point * row_;
-      for (std::size_t t = 0; t < v_.spans(); ++t)
-        for (const auto& v_return : v_.back[t])
-          equal = leads_back(t, v_return, u_return.scale,
-                             expected + v_return.control_point * dimension_) && equal;
+      with_sizes([&](auto q, auto dimension) {
+        const Number* from = line_of_.data();
+        for (std::size_t t = 0; t < v_.spans(); ++t, from += (q + 1) * dimension)
+          for (const auto& v_return : v_.back[t])
+            equal = leads_back(from, v_return.weights.data(), u_return.scale * v_return.scale,
+                               expected + v_return.control_point * dimension, q, dimension) &&
+                    equal;
+      });
     }
     return equal;
   }
@@ -116,43 +124,80 @@ class StripConversion {
     }
   }
 
+  /// Calls work(q, dimension) for the degree in v and the dimension: in the usual case with
+  /// constants, so that loops of three or four rounds are none.
+  template <typename Work>
+  void with_sizes(const Work& work) const {
+    using Three = std::integral_constant<std::size_t, 3>;
+    if (v_.degree == 3 && dimension_ == 3)
+      work(Three{}, Three{});
+    else
+      work(v_.degree, dimension_);
+  }
+
   /// The Bézier points of all spans in v, from a row of control points.
   void convert_row(const Number* row, Number* to) const {
-    const std::size_t q = v_.degree;
-    for (std::size_t t = 0; t < v_.spans(); ++t) {
-      const Number* weights = v_.weights_of(t);
-      const Number* from = row + v_.first[t] * dimension_;
-      for (std::size_t l = 0; l <= q; ++l, weights += q + 1, to += dimension_)
-        combine(weights, q + 1, from, dimension_, dimension_, to);
+    with_sizes([&](auto q, auto dimension) {
+      const Number* weights = v_.weights.data();
+      for (const std::size_t first : v_.first) {
+        const Number* from = row + first * dimension;
+        for (std::size_t l = 0; l <= q; ++l, weights += q + 1, to += dimension) {
+          for (std::size_t c = 0; c < dimension; ++c) {
+            Number sum = weights[0] * from[c];
+            for (std::size_t b = 1; b <= q; ++b) sum += weights[b] * from[b * dimension + c];
+            to[c] = sum;
+          }
+        }
+      }
+    });
+  }
+
+  /// The r-th difference of lines, the sum of (-1)^i binomial(r, i) * from[i*stride + e].
+  void difference(std::size_t r, const Number* from, std::ptrdiff_t stride,
+                  std::vector<Number>& to) const {
+    to.assign(from, from + line_);
+    std::int64_t binomial = 1;
+    for (std::size_t i = 1; i <= r; ++i) {
+      binomial = -binomial * static_cast<std::int64_t>(r - i + 1) / static_cast<std::int64_t>(i);
+      const Number factor{binomial};
+      const Number* line = from + static_cast<std::ptrdiff_t>(i) * stride;
+      for (std::size_t e = 0; e < line_; ++e) to[e] += factor * line[e];
     }
   }
 
-  /// (-1)^i binomial(r, i)
-  static std::array<Number, highest_net_degree + 1> alternating(std::size_t r) {
-    std::array<Number, highest_net_degree + 1> signs{};
-    std::int64_t value = 1;
-    for (std::size_t i = 0; i <= r; ++i) {
-      signs[i] = Number{i % 2 == 0 ? value : -value};
-      value = value * static_cast<std::int64_t>(r - i) / static_cast<std::int64_t>(i + 1);
-    }
-    return signs;
+  /// One coordinate of row k of strip s across the seam behind span t.
+  struct Place {
+    std::size_t s;
+    std::size_t t;
+    std::size_t k;
+    std::size_t c;
+  };
+
+  /// Differences of last[0], last[-step], … with those of the points behind. With two the usual
+  /// order is a constant.
+  template <typename Step, typename Differ>
+  void compare(const Place& place, const Number* last, Step step, const Differ& differ) const {
+    const auto& seam = v_.seams[place.t];
+    if (seam.order == 2)
+      compare(place, last, step, std::integral_constant<std::size_t, 2>{}, seam, differ);
+    else
+      compare(place, last, step, static_cast<std::size_t>(seam.order), seam, differ);
   }
 
-  /// One coordinate across a seam in v: differences of last[0], last[-1], … and the points behind.
-  template <typename Seam, typename Differ>
-  void compare(std::size_t s, std::size_t t, std::size_t k, std::size_t c, const Number* last,
-               const Seam& seam, const Differ& differ) {
+  template <typename Step, typename Order, typename Seam, typename Differ>
+  static void compare(const Place& place, const Number* last, Step step, Order most,
+                      const Seam& seam, const Differ& differ) {
     std::array<Number, highest_net_degree + 1> before;
     std::array<Number, highest_net_degree + 1> behind;
-    const auto most = static_cast<std::size_t>(seam.order);
     for (std::size_t i = 0; i <= most; ++i) {
-      before[i] = *(last - i * dimension_ + c);
-      behind[i] = last[(i + 1) * dimension_ + c];
+      before[i] = *(last - i * step);
+      behind[i] = last[(i + 1) * step];
     }
     for (std::size_t r = 0; r <= most; ++r) {
       // before[i] and behind[i] are the r-th differences here, of points counted from the seam.
       if (!(before[0] * seam.before[r] == behind[0] * seam.behind[r]))
-        differ(Difference<Number>{s, t, static_cast<int>(r), k, c, before[0], behind[0]});
+        differ(Difference<Number>{place.s, place.t, static_cast<int>(r), place.k, place.c,
+                                  before[0], behind[0]});
       for (std::size_t i = 0; i + r < most; ++i) {
         before[i] = before[i] - before[i + 1];
         behind[i] = behind[i + 1] - behind[i];
@@ -160,18 +205,16 @@ class StripConversion {
     }
   }
 
-  template <typename Return>
-  bool leads_back(std::size_t t, const Return& v_return, const Number& u_scale,
-                  const Number* expected) const {
-    const Number* from = line_of_.data() + t * (v_.degree + 1) * dimension_;
-    const Number scale = u_scale * v_return.scale;
-    for (std::size_t c = 0; c < dimension_; ++c) {
-      Number sum = v_return.weights[0] * from[c];
-      for (std::size_t l = 1; l <= v_.degree; ++l)
-        sum += v_return.weights[l] * from[l * dimension_ + c];
-      if (!(sum == scale * expected[c])) return false;
+  template <typename Degree, typename Dimension>
+  static bool leads_back(const Number* from, const Number* weights, const Number& scale,
+                         const Number* expected, Degree q, Dimension dimension) {
+    bool equal = true;
+    for (std::size_t c = 0; c < dimension; ++c) {
+      Number sum = weights[0] * from[c];
+      for (std::size_t l = 1; l <= q; ++l) sum += weights[l] * from[l * dimension + c];
+      equal = sum == scale * expected[c] && equal;
     }
-    return true;
+    return equal;
   }
 
   Number* line() {
@@ -190,8 +233,10 @@ class StripConversion {
   std::vector<Number> rows_;
   std::vector<Number> strip_;
   std::vector<Number> before_;
-  /// Combinations of the rows of a strip.
+  /// Combinations of the rows of a strip, and their differences at a seam.
   std::vector<Number> line_of_;
+  std::vector<Number> differences_;
+  std::vector<Number> behind_;
 };
 
 }  // namespace patchproof

@@ -29,8 +29,8 @@ inline DoubleWord strip_number<DoubleWord>(const Rational& value) {
   const Integer whole = numerator(value);
   const Integer magnitude = boost::multiprecision::abs(whole);
   const auto high = static_cast<DoubleWord>((magnitude >> 64U).convert_to<std::uint64_t>());
-  const auto low = static_cast<DoubleWord>(
-      (magnitude & 0xFFFF'FFFF'FFFF'FFFFU).convert_to<std::uint64_t>());
+  const auto low =
+      static_cast<DoubleWord>((magnitude & 0xFFFF'FFFF'FFFF'FFFFU).convert_to<std::uint64_t>());
   const DoubleWord result = high * (DoubleWord{1} << 64U) + low;
   return whole.sign() < 0 ? -result : result;
 }
@@ -40,8 +40,7 @@ inline Rational to_rational(std::int64_t value) { return Rational{value}; }
 inline Rational to_rational(DoubleWord value) {
   const DoubleWord magnitude = value < 0 ? -value : value;
   const Integer high{static_cast<std::uint64_t>(magnitude >> 64U)};
-  const Rational result{
-      Integer{(high << 64U) + Integer{static_cast<std::uint64_t>(magnitude)}}};
+  const Rational result{Integer{(high << 64U) + Integer{static_cast<std::uint64_t>(magnitude)}}};
   return value < 0 ? -result : result;
 }
 

@@ -31,7 +31,8 @@ struct StripWeights {
       add(span.weights, weights);
       std::vector<Return>& returns = back.emplace_back();
       for (const ReturnPlan& one : span.back) {
-        returns.push_back({one.control_point, {}, strip_number<Number>(span.denominator * one.denominator)});
+        returns.push_back(
+            {one.control_point, {}, strip_number<Number>(span.denominator * one.denominator)});
         add(one.weights, returns.back().weights);
       }
     }

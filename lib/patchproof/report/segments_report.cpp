@@ -28,10 +28,28 @@ SegmentsClaim surface_claim(const SegmentsReport& report) {
   SegmentsClaim claim{"segments",
                       "the " + times(found.u_spans, found.v_spans) +
                           " Bézier segments are the B-spline surface of the net",
-                      found.are_the_surface, "", {}};
+                      found.are_the_surface,
+                      "",
+                      {}};
+  if (!found.from_numbers) claim.remark = "as for every net";
   if (found.unused_points > 0)
-    claim.remark = counted(found.unused_points, "point") + " of the net without influence";
+    claim.remark += (claim.remark.empty() ? "" : "; ") + counted(found.unused_points, "point") +
+                    " of the net without influence";
   return claim;
+}
+
+SegmentsClaim every_net_claim(const SegmentsReport& report) {
+  const SegmentFindings& found = report.findings;
+  const auto order = [](const SeamFindings& seams) {
+    return seams.given_order < 0 ? std::string{"no continuity"}
+                                 : "C^" + std::to_string(std::min(seams.order, seams.given_order));
+  };
+  return {"every net",
+          "whatever the points, over these knots the segments are the surface, with " +
+              order(found.u) + " in u and " + order(found.v) + " in v",
+          found.for_every_net,
+          order(found.u) + " in u, " + order(found.v) + " in v",
+          {}};
 }
 
 SegmentsClaim seam_claim(const SegmentsReport& report, bool in_u) {
@@ -42,15 +60,20 @@ SegmentsClaim seam_claim(const SegmentsReport& report, bool in_u) {
   SegmentsClaim claim{order + " in " + letter,
                       "the segments join with " + order + " at " + counted(found.seams, "knot") +
                           " in " + letter + ", " + counted(found.edges, "edge"),
-                      !found.first_break, "", {}};
+                      !found.first_break,
+                      "",
+                      {}};
   const bool all_splines = found.order <= found.given_order || found.given_order == knots.degree();
   if (claim.proved) {
     if (found.seams == 0)
       claim.remark = "there is no seam";
+    else if (all_splines && !report.findings.from_numbers)
+      claim.remark = "as for every net";
     else if (!all_splines && found.given_order < 0)
       claim.remark = "for these points; the knots alone give no continuity";
     else if (!all_splines)
-      claim.remark = "for these points; the knots alone give C^" + std::to_string(found.given_order);
+      claim.remark =
+          "for these points; the knots alone give C^" + std::to_string(found.given_order);
     return claim;
   }
   const SeamBreak& broken = *found.first_break;
@@ -61,33 +84,38 @@ SegmentsClaim seam_claim(const SegmentsReport& report, bool in_u) {
       {"seam", letter + " = " + knot + ", between the segments " +
                    pair(broken.u_span, broken.v_span) + " and " +
                    pair(broken.u_span + (in_u ? 1 : 0), broken.v_span + (in_u ? 0 : 1))},
-      {"derivative", "of order " + std::to_string(broken.order) + " in " + letter + ", Bézier coefficient " +
-                         std::to_string(broken.coefficient) + " along the seam, coordinate " +
-                         coordinate_name(broken.coordinate)},
+      {"derivative", "of order " + std::to_string(broken.order) + " in " + letter +
+                         ", Bézier coefficient " + std::to_string(broken.coefficient) +
+                         " along the seam, coordinate " + coordinate_name(broken.coordinate)},
       {"before", to_text(broken.before)},
       {"behind", to_text(broken.behind)},
       {"edges", std::to_string(found.broken_edges) + " of " + counted(found.edges, "edge") +
                     " are not " + order}};
   const int given = knots.degree() - multiplicity;
   claim.witness.emplace_back(
-      "knot", knot + " occurs " + (multiplicity == 1 ? "once" : std::to_string(multiplicity) + " times") +
-                  ": splines of degree " + std::to_string(knots.degree()) +
-                  (given < 0 ? " may have a gap there" : " are C^" + std::to_string(given) + " there"));
+      "knot",
+      knot + " occurs " + (multiplicity == 1 ? "once" : std::to_string(multiplicity) + " times") +
+          ": splines of degree " + std::to_string(knots.degree()) +
+          (given < 0 ? " may have a gap there" : " are C^" + std::to_string(given) + " there"));
   return claim;
 }
 
 SegmentsClaim comparison_claim(const SegmentsReport& report) {
-  SegmentsClaim claim{"against", "the segments of " + report.against + " are these segments",
-                      !report.first_difference, "", {}};
+  SegmentsClaim claim{"against",
+                      "the segments of " + report.against + " are these segments",
+                      !report.first_difference,
+                      "",
+                      {}};
   if (claim.proved) return claim;
   const SegmentDifference& first = *report.first_difference;
-  claim.witness = {{"segment", pair(first.u_span, first.v_span)},
-                   {"point", pair(first.k, first.l) + ", coordinate " + coordinate_name(first.coordinate)},
-                   {"exact", to_text(first.exact)},
-                   {"found", to_text(first.found)},
-                   {"points", std::to_string(report.different_points) + " of " +
-                                  counted(report.shape.points(), "point") +
-                                  (report.different_points == 1 ? " is different" : " are different")}};
+  claim.witness = {
+      {"segment", pair(first.u_span, first.v_span)},
+      {"point", pair(first.k, first.l) + ", coordinate " + coordinate_name(first.coordinate)},
+      {"exact", to_text(first.exact)},
+      {"found", to_text(first.found)},
+      {"points", std::to_string(report.different_points) + " of " +
+                     counted(report.shape.points(), "point") +
+                     (report.different_points == 1 ? " is different" : " are different")}};
   return claim;
 }
 
@@ -102,14 +130,16 @@ std::string text_of(const SegmentsReport& report) {
   std::size_t width = 0;
   for (const SegmentsClaim& claim : claims) width = std::max(width, claim.id.size());
   for (const SegmentsClaim& claim : claims)
-    text += (claim.proved ? "  " : "! ") + claim.id + std::string(width - claim.id.size() + 2, ' ') +
-            verdict_of(claim) + (claim.remark.empty() ? "" : "  (" + claim.remark + ")") + "\n";
+    text += (claim.proved ? "  " : "! ") + claim.id +
+            std::string(width - claim.id.size() + 2, ' ') + verdict_of(claim) +
+            (claim.remark.empty() ? "" : "  (" + claim.remark + ")") + "\n";
   std::size_t refuted = 0;
   for (const SegmentsClaim& claim : claims) {
     if (claim.proved) continue;
     ++refuted;
     text += "\n" + claim.id + ": REFUTED: " + claim.statement + "\n";
-    for (const auto& [name, value] : claim.witness) text += "       = " + name + ": " + value + "\n";
+    for (const auto& [name, value] : claim.witness)
+      text += "       = " + name + ": " + value + "\n";
   }
   text += "\n" + counted(claims.size(), "claim") + ": " + std::to_string(claims.size() - refuted) +
           " proved" + (refuted > 0 ? ", " + std::to_string(refuted) + " refuted" : "") + "\n";
@@ -126,6 +156,7 @@ std::string json_of(const SegmentsReport& report) {
                      {"segments", {report.shape.u_spans, report.shape.v_spans}}};
   document["arithmetic"] = to_text(report.findings.arithmetic);
   document["bits"] = report.findings.bits;
+  document["from_numbers"] = report.findings.from_numbers;
   document["claims"] = Json::array();
   for (const SegmentsClaim& claim : claims_of(report)) {
     Json witness = nullptr;
@@ -143,14 +174,14 @@ std::string json_of(const SegmentsReport& report) {
 }  // namespace
 
 std::vector<SegmentsClaim> claims_of(const SegmentsReport& report) {
-  std::vector<SegmentsClaim> claims{surface_claim(report), seam_claim(report, true),
-                                    seam_claim(report, false)};
+  std::vector<SegmentsClaim> claims{every_net_claim(report), surface_claim(report),
+                                    seam_claim(report, true), seam_claim(report, false)};
   if (!report.against.empty()) claims.push_back(comparison_claim(report));
   return claims;
 }
 
 ExitCode exit_code(const SegmentsReport& report) {
-  if (!report.findings.are_the_surface) return ExitCode::internal;
+  if (!report.findings.are_the_surface || !report.findings.for_every_net) return ExitCode::internal;
   const std::vector<SegmentsClaim> claims = claims_of(report);
   const bool all = std::all_of(claims.begin(), claims.end(),
                                [](const SegmentsClaim& claim) { return claim.proved; });

@@ -30,7 +30,7 @@ struct SegmentsReport {
 
 /// One statement about the segments, and how it ended.
 struct SegmentsClaim {
-  /// "segments", "C^2 in u", "C^2 in v" or "against"
+  /// "every net", "segments", "C^2 in u", "C^2 in v" or "against"
   std::string id;
   std::string statement;
   bool proved = false;
