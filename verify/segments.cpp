@@ -4,6 +4,7 @@
 #include <verify/files.hpp>
 #include <verify/output.hpp>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -44,10 +45,27 @@ std::string shown_name(const std::string& path) { return path == "-" ? standard_
   throw Unreadable{};
 }
 
-/// Says what is wrong with a text. It is read again for the line to be shown.
-[[noreturn]] void fail_at(const std::string& path, const std::string& text, const NetFault& fault) {
-  const auto source = std::make_shared<const SourceText>(SourceText{shown_name(path), text});
-  print_error(to_text(Diagnostic{{source, fault.begin, fault.end}, fault.message, fault.help}));
+/// Says what is wrong with a text. It is read again for the line to be shown; of the lines before
+/// only their ends are kept, so that they are counted.
+[[noreturn]] void fail_at(const std::string& path, const ByteSource& again, const NetFault& fault) {
+  constexpr std::size_t behind = 4096;
+  std::string text;
+  std::size_t left_out = 0;
+  while (left_out + text.size() < fault.end + behind) {
+    const std::string_view block = again();
+    if (block.empty()) break;
+    text.append(block);
+    const std::size_t place = std::min(fault.begin - left_out, text.size());
+    const std::size_t line = place == 0 ? 0 : text.rfind('\n', place - 1) + 1;
+    const auto lines = static_cast<std::size_t>(
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(line), '\n'));
+    text.replace(0, line, lines, '\n');
+    left_out += line - lines;
+  }
+  const auto source =
+      std::make_shared<const SourceText>(SourceText{shown_name(path), std::move(text)});
+  print_error(to_text(Diagnostic{
+      {source, fault.begin - left_out, fault.end - left_out}, fault.message, fault.help}));
   throw Unreadable{};
 }
 
@@ -62,10 +80,7 @@ auto reading(const std::string& path, std::size_t megabytes, const Read& read) {
   } catch (const UnreadableFile& problem) {
     fail_to_read(path, problem.what());
   } catch (const NetFault& fault) {
-    if (path == "-") fail_at(path, *input.text, fault);
-    const FileText again = file_text(path, megabytes);
-    if (!again.text) fail_to_read(path, again.problem);
-    fail_at(path, *again.text, fault);
+    fail_at(path, path == "-" ? whole_text(*input.text) : file_blocks(path, megabytes), fault);
   }
 }
 

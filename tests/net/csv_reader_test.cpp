@@ -14,7 +14,8 @@ PointNet net_of(const std::string& text) { return net_from_csv(whole_text(text))
 }  // namespace
 
 TEST_CASE("Empty lines end the rows of a net", "[net]") {
-  const PointNet net = net_of("# a comment\n\n1, 2\n3,4 # another\n# inside of a row\n5,6\n\n\n7,8\n9,10\n11,12");
+  const PointNet net =
+      net_of("# a comment\n\n1, 2\n3,4 # another\n# inside of a row\n5,6\n\n\n7,8\n9,10\n11,12");
   CHECK(net.rows == 2);
   CHECK(net.columns == 3);
   CHECK(net.dimension == 2);
@@ -28,7 +29,9 @@ TEST_CASE("A heading gives the shape, and the names of the coordinates may stand
 }
 
 TEST_CASE("Coordinates are separated by commas, semicolons or blanks", "[net]") {
-  for (const std::string text : {"1,2,3\n", "1 ; 2;3\n", "1\t2\t3", "  1 2   3  \n", "\xEF\xBB\xBF" "1,2,3\n"})
+  for (const std::string text : {"1,2,3\n", "1 ; 2;3\n", "1\t2\t3", "  1 2   3  \n",
+                                 "\xEF\xBB\xBF"
+                                 "1,2,3\n"})
     CHECK(net_as_csv(net_of(text)) == "1,2,3\n\n");
 }
 

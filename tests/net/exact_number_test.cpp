@@ -92,8 +92,9 @@ TEST_CASE("What is no finite number is refused", "[net][reject]") {
     return "expected a number, found '" + text + "'";
   };
   for (const std::string text :
-       {"", "-", "+", ".", "e5", "1e", "1e+", "0x", "0x.p1", "0x1p", "1,5", "1.2.3", "--1", "1/", "/2",
-        "1/-2", "1/2/3", "1.5/2", "1/2.5", "0x1/2", "1e1.5", "x", "1 2", "0b1", "1_000", "1f"})
+       {"",      "-",     "+",     ".",   "e5",  "1e",  "1e+",   "0x",    "0x.p1",
+        "0x1p",  "1,5",   "1.2.3", "--1", "1/",  "/2",  "1/-2",  "1/2/3", "1.5/2",
+        "1/2.5", "0x1/2", "1e1.5", "x",   "1 2", "0b1", "1_000", "1f"})
     CHECK(read(text) == expected(text));
   CHECK(read("NaN") == "'NaN' is not a point of any patch");
   CHECK(read("-inf") == "'-inf' is not a point of any patch");

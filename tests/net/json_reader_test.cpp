@@ -34,8 +34,8 @@ PointNet random_net(std::mt19937_64& random) {
 }  // namespace
 
 TEST_CASE("Numbers of JSON are read from their digits", "[net]") {
-  const PointNet net = net_from_json(whole_text(
-      R"( [ [[0.1, "1/3", 1e-2], [-0, "0x1.8p-3", 9007199254740993.5]] ] )"));
+  const PointNet net = net_from_json(
+      whole_text(R"( [ [[0.1, "1/3", 1e-2], [-0, "0x1.8p-3", 9007199254740993.5]] ] )"));
   CHECK(net_as_csv(net) == "1/10,1/3,1/100\n0,3/16,18014398509481987/2\n\n");
 }
 
@@ -60,7 +60,8 @@ TEST_CASE("Nets stay the same as lines and as JSON, however the text is cut", "[
     std::size_t at = 0;
     const std::size_t block = 1 + random() % 7;
     const PointNet in_blocks = net_from_csv([&] {
-      const std::string_view next = std::string_view{lines}.substr(std::min(at, lines.size()), block);
+      const std::string_view next =
+          std::string_view{lines}.substr(std::min(at, lines.size()), block);
       at += block;
       return next;
     });
@@ -90,17 +91,20 @@ TEST_CASE("JSON that is no net is refused where it stops being one", "[net][reje
   CHECK(first_line("[]") == "a.json:1:3: error: there are no points");
   CHECK(first_line("[[]]") == "a.json:1:2: error: a row without points");
   CHECK(first_line("[[[]]]") == "a.json:1:3: error: a point without coordinates");
-  CHECK(first_line("") == "a.json:1:1: error: expected '[' and rows of points, found the end of the text");
+  CHECK(first_line("") ==
+        "a.json:1:1: error: expected '[' and rows of points, found the end of the text");
   CHECK(first_line("[[[1,\"1/3\"]]") ==
         "a.json:1:13: error: expected ',' or ']', found the end of the text");
   CHECK(first_line("[[[1]]] x") == "a.json:1:9: error: expected the end of the text, found 'x'");
-  CHECK(first_line("[[[1],]]") == "a.json:1:7: error: expected '[' and the coordinates of a point, found ']'");
+  CHECK(first_line("[[[1],]]") ==
+        "a.json:1:7: error: expected '[' and the coordinates of a point, found ']'");
   CHECK(first_line(std::string(100'000, '[')) == "a.json:1:4: error: expected a number, found '['");
   CHECK(first_line("[[[01]]]") == "a.json:1:4: error: '01' is no number of JSON");
   CHECK(first_line("[[[.5]]]") == "a.json:1:4: error: '.5' is no number of JSON");
   CHECK(first_line("[[[1e401]]]") == "a.json:1:4: error: an exponent beyond 400");
   CHECK(first_line("[[[\"a\"]]]") == "a.json:1:5: error: expected a number, found 'a'");
-  CHECK(first_line("[[[\"\\u0031\"]]]") == "a.json:1:4: error: an escape where a number or a name stands");
+  CHECK(first_line("[[[\"\\u0031\"]]]") ==
+        "a.json:1:4: error: an escape where a number or a name stands");
   CHECK(first_line("[[[\"1]]]") == "a.json:1:5: error: expected a number, found '1]]]'");
   CHECK(first_line("[[[null]]]") == "a.json:1:4: error: expected a number, found 'null'");
   CHECK(first_line("[[[1 2]]]") == "a.json:1:6: error: expected ',' or ']', found '2'");
@@ -115,14 +119,17 @@ TEST_CASE("Objects that are no net are refused", "[net][reject]") {
   CHECK(first_line(R"({"degrees": [3, 3]})") == "a.json:1:1: error: there is no member \"points\"");
   CHECK(first_line(R"({"points": [[[1]]], "points": 1})") ==
         "a.json:1:21: error: a second member \"points\"");
-  CHECK(first_line(R"({"degrees": [0, 3]})") == "a.json:1:14: error: a degree is a whole number from 1 to 9");
-  CHECK(first_line(R"({"degrees": [2.5, 3]})") == "a.json:1:14: error: a degree is a whole number from 1 to 9");
+  CHECK(first_line(R"({"degrees": [0, 3]})") ==
+        "a.json:1:14: error: a degree is a whole number from 1 to 9");
+  CHECK(first_line(R"({"degrees": [2.5, 3]})") ==
+        "a.json:1:14: error: a degree is a whole number from 1 to 9");
   CHECK(first_line(R"({"degrees": [3]})") ==
         "a.json:1:13: error: a surface has two degrees, one for u and one for v");
   CHECK(first_line(R"({"knots": [[1]]})") ==
         "a.json:1:11: error: a surface has two lists of knots, one for u and one for v");
   CHECK(first_line(R"({"points" [[[1]]]})") == "a.json:1:11: error: expected ':', found '['");
-  CHECK(first_line(R"({points: 1})") == "a.json:1:2: error: expected a name in quotes, found 'points'");
+  CHECK(first_line(R"({points: 1})") ==
+        "a.json:1:2: error: expected a name in quotes, found 'points'");
   CHECK(first_line("{\"comment\": \"open\n\"}") ==
         "a.json:1:13: error: a text without its closing '\"'");
 }

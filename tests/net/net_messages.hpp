@@ -9,8 +9,8 @@
 
 namespace patchproof {
 
-/// What is shown of the first mistake in a file of points; "" when there is none. Blocks have so many
-/// bytes, so that tokens go over their ends.
+/// What is shown of the first mistake in a file of points; "" when there is none. Blocks have so
+/// many bytes, so that tokens go over their ends.
 inline std::string net_message(const std::string& name, const std::string& text,
                                const NetLimits& limits = {}, std::size_t block = 3) {
   std::size_t at = 0;

@@ -73,14 +73,13 @@ inline SegmentPoints segment_points(const Surface& surface, int continuity = 1,
   return points;
 }
 
-/// N[i] of degree p at x by the recursion of Cox and de Boor, 0/0 = 0. Source: Piegl and Tiller, The
-/// NURBS Book, (2.5).
+/// N[i] of degree p at x by the recursion of Cox and de Boor, 0/0 = 0. Source: Piegl and Tiller,
+/// The NURBS Book, (2.5).
 inline Rational basis_function(const std::vector<Rational>& t, std::size_t i, std::size_t p,
                                const Rational& x) {
   if (p == 0) return t[i] <= x && x < t[i + 1] ? 1 : 0;
   Rational sum;
-  if (t[i + p] != t[i])
-    sum += (x - t[i]) / (t[i + p] - t[i]) * basis_function(t, i, p - 1, x);
+  if (t[i + p] != t[i]) sum += (x - t[i]) / (t[i + p] - t[i]) * basis_function(t, i, p - 1, x);
   if (t[i + p + 1] != t[i + 1])
     sum += (t[i + p + 1] - x) / (t[i + p + 1] - t[i + 1]) * basis_function(t, i + 1, p - 1, x);
   return sum;

@@ -13,8 +13,8 @@ namespace {
 Rational spline_value(const Surface& surface, const Rational& x, const Rational& y, std::size_t c) {
   Rational sum;
   for (std::size_t i = 0; i < surface.net.rows; ++i) {
-    const Rational weight = basis_function(surface.u.knots(), i,
-                                           static_cast<std::size_t>(surface.u.degree()), x);
+    const Rational weight =
+        basis_function(surface.u.knots(), i, static_cast<std::size_t>(surface.u.degree()), x);
     if (weight.sign() == 0) continue;
     for (std::size_t j = 0; j < surface.net.columns; ++j)
       sum += weight *
@@ -28,8 +28,7 @@ Rational bernstein(std::size_t n, std::size_t i, const Rational& t) {
   Rational value{1};
   for (std::size_t k = 1; k <= i; ++k)
     value *= Rational{static_cast<int>(n - i + k), static_cast<int>(k)};
-  return value * power(t, static_cast<long>(i)) *
-         power(Rational{1} - t, static_cast<long>(n - i));
+  return value * power(t, static_cast<long>(i)) * power(Rational{1} - t, static_cast<long>(n - i));
 }
 
 /// One coordinate of a segment at local parameters.
@@ -50,7 +49,8 @@ Surface curve(int degree, std::vector<Rational> knots, const std::vector<Rationa
   net.rows = values.size();
   net.columns = 2;
   net.dimension = 1;
-  for (const Rational& value : values) net.coordinates.insert(net.coordinates.end(), {value, value});
+  for (const Rational& value : values)
+    net.coordinates.insert(net.coordinates.end(), {value, value});
   return {std::move(net), KnotVector{degree, std::move(knots), values.size()},
           KnotVector::clamped_uniform(1, 2)};
 }
@@ -120,7 +120,8 @@ TEST_CASE("Words are left exactly where the bound leaves them", "[net][law]") {
       CHECK(full.bits == limit);
       CHECK(full.arithmetic == inside);
       CHECK(full.are_the_surface);
-      CHECK(segment_points(surface, 2, inside) == segment_points(surface, 2, Arithmetic::fractions));
+      CHECK(segment_points(surface, 2, inside) ==
+            segment_points(surface, 2, Arithmetic::fractions));
       for (Rational& coordinate : surface.net.coordinates) coordinate *= Rational{2};
       const SegmentFindings over = segments_of(surface.net, surface.u, surface.v, 2);
       CHECK(over.bits == limit + 1);
@@ -147,8 +148,8 @@ TEST_CASE("The value of example 4.1 of The NURBS Book", "[net][literature]") {
   Surface surface = curve(2, {0, 0, 0, 1, 2, 3, 3, 3}, {0, 0, 0, 0, 0});
   surface.net.dimension = 3;
   surface.net.coordinates.clear();
-  for (const std::vector<int>& point : std::vector<std::vector<int>>{
-           {0, 0, 1}, {4, 4, 4}, {3, 2, 1}, {4, 1, 1}, {5, -1, 1}})
+  for (const std::vector<int>& point :
+       std::vector<std::vector<int>>{{0, 0, 1}, {4, 4, 4}, {3, 2, 1}, {4, 1, 1}, {5, -1, 1}})
     for (int twice = 0; twice < 2; ++twice)
       surface.net.coordinates.insert(surface.net.coordinates.end(), point.begin(), point.end());
   const SegmentPoints points = segment_points(surface);
@@ -226,7 +227,8 @@ TEST_CASE("Knots that do not fit are refused", "[net][reject]") {
   CHECK(fault(1, {0, 0, 1}, 2) == "2 points of degree 1 need 4 knots, not 3");
   CHECK(fault(1, {0, 0, 1, Rational{1, 2}}, 2) == "the knots decrease from 1 to 1/2");
   CHECK(fault(1, {0, 0, 0, 1}, 2) == "the knot 0 occurs more than 2 times");
-  CHECK(fault(1, {0, 1, 1, 2}, 2) == "these knots leave no interval for the spline to be defined on");
+  CHECK(fault(1, {0, 1, 1, 2}, 2) ==
+        "these knots leave no interval for the spline to be defined on");
   const Surface surface = curve(1, {0, 0, 1, 1}, {0, 1});
   CHECK_THROWS_WITH(segments_of(surface.net, KnotVector::clamped_uniform(1, 3), surface.v, 0),
                     "the knots in u are for 3 points, not 2");
