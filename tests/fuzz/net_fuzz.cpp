@@ -43,7 +43,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string found = found_in(text, json, text.size() + 1);
   if (found_in(text, json, block) != found) fuzz::violated("blocks do not matter", text);
   if (found.starts_with("mistake")) return 0;
-  if (found_in(found, true, block) != found) fuzz::violated("JSON is read as it was written", text);
+  // A long decimal is two long numbers as a fraction, which may be more than is read.
+  const std::string read_again = found_in(found, true, block);
+  if (read_again.find("characters") != std::string::npos) return 0;
+  if (read_again != found) fuzz::violated("JSON is read as it was written", text);
   PointNet net = net_from_json(whole_text(found));
   const PointNet again = net_from_csv(whole_text(net_as_csv(net)));
   if (again.coordinates != net.coordinates || again.rows != net.rows)

@@ -35,6 +35,22 @@ TEST_CASE("Coordinates are separated by commas, semicolons or blanks", "[net]") 
     CHECK(net_as_csv(net_of(text)) == "1,2,3\n\n");
 }
 
+TEST_CASE("The mark of UTF-8 is no part of the text, wherever blocks end", "[net]") {
+  for (const std::size_t block : {1U, 2U, 3U, 4U, 9U}) {
+    CHECK(net_message("a.csv",
+                      "\xEF\xBB\xBF"
+                      "1,2\n",
+                      {}, block) == "");
+    CHECK(net_message("a.csv",
+                      "\xEF\xBB"
+                      "1,2\n",
+                      {}, block) == net_message("a.csv",
+                                                "\xEF\xBB"
+                                                "1,2\n",
+                                                {}, 100));
+  }
+}
+
 TEST_CASE("What is no net is refused where it stops being one", "[net][reject]") {
   CHECK(csv("1,2\n1,x\n") == R"(a.csv:2:3: error: expected a number, found 'x'
      2 | 1,x

@@ -105,7 +105,7 @@ TEST_CASE("JSON that is no net is refused where it stops being one", "[net][reje
   CHECK(first_line("[[[\"a\"]]]") == "a.json:1:5: error: expected a number, found 'a'");
   CHECK(first_line("[[[\"\\u0031\"]]]") ==
         "a.json:1:4: error: an escape where a number or a name stands");
-  CHECK(first_line("[[[\"1]]]") == "a.json:1:5: error: expected a number, found '1]]]'");
+  CHECK(first_line("[[[\"1]]]") == "a.json:1:4: error: a text without its closing '\"'");
   CHECK(first_line("[[[null]]]") == "a.json:1:4: error: expected a number, found 'null'");
   CHECK(first_line("[[[1 2]]]") == "a.json:1:6: error: expected ',' or ']', found '2'");
 }

@@ -197,8 +197,8 @@ TEST_CASE("A knot of full multiplicity cuts the surface", "[net]") {
 
 TEST_CASE("Denominators without anything in common need fractions", "[net]") {
   Surface surface = curve(3, {0, 0, 0, 0, 1, 2, 2, 2, 2}, {0, 8, 16, 0, -8});
-  int prime = 1'000'003;
-  for (Rational& coordinate : surface.net.coordinates) coordinate /= Rational{prime += 34};
+  int odd = 2'000'000'001;
+  for (Rational& coordinate : surface.net.coordinates) coordinate /= Rational{odd += 2};
   const SegmentFindings found = segments_of(surface.net, surface.u, surface.v, 2);
   CHECK(found.arithmetic == Arithmetic::fractions);
   CHECK(found.are_the_surface);

@@ -20,6 +20,8 @@ class ByteReader {
   static constexpr int end_of_text = -1;
 
   explicit ByteReader(ByteSource source);
+  ByteReader(const ByteReader&) = delete;
+  ByteReader& operator=(const ByteReader&) = delete;
 
   /// The next byte, from 0 to 255, or `end_of_text`.
   int peek() {
@@ -64,6 +66,8 @@ class ByteReader {
   /// Bytes in the blocks before.
   std::size_t before_ = 0;
   std::string spilled_;
+  /// The first blocks, where they are very short.
+  std::string start_;
 };
 
 }  // namespace patchproof
