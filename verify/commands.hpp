@@ -19,6 +19,7 @@ void add_definitions(CLI::App& program, ExitCode& result);
 void add_dump(CLI::App& program, ExitCode& result);
 void add_recheck(CLI::App& program, ExitCode& result);
 void add_merge(CLI::App& program, ExitCode& result);
+void add_segments(CLI::App& program, ExitCode& result);
 
 /// Thrown by a subcommand whose arguments do not make sense together; ends in exit code 64.
 class UsageError : public CLI::ValidationError {

@@ -57,6 +57,7 @@ int run(int argument_count, char* arguments[]) {
   add_dump(program, result);
   add_recheck(program, result);
   add_merge(program, result);
+  add_segments(program, result);
   try {
     program.parse(argument_count, arguments);
     return ended(result);

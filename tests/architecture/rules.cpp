@@ -14,11 +14,11 @@ constexpr std::string_view library = "lib/patchproof/";
 /// How high each folder of the library is; a file beside the folders is above them all.
 const std::map<std::string, int, std::less<>>& layers() {
   static const std::map<std::string, int, std::less<>> heights{
-      {"version.hpp", 0}, {"algebra", 1},     {"term", 2},        {"kernel", 3},
-      {"symbolic", 3},    {"grid", 4},        {"decide", 5},      {"claims", 6},
-      {"certificate", 7}, {"language", 7},    {"repair", 8},      {"mutation", 9},
-      {"derivation", 10}, {"figure", 11},     {"latex", 12},      {"report", 13},
-      {"patchproof.hpp", 14}};
+      {"version.hpp", 0}, {"algebra", 1},     {"net", 2},         {"term", 2},
+      {"kernel", 3},      {"symbolic", 3},    {"grid", 4},        {"decide", 5},
+      {"claims", 6},      {"certificate", 7}, {"language", 7},    {"repair", 8},
+      {"mutation", 9},    {"derivation", 10}, {"figure", 11},     {"latex", 12},
+      {"report", 13},     {"patchproof.hpp", 14}};
   return heights;
 }
 

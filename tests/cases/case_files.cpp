@@ -31,6 +31,13 @@ std::vector<SourceText> case_files(const std::string& part) {
   return result;
 }
 
+Loader case_loader() {
+  return [](const std::string& path) -> std::optional<std::string> {
+    if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+    return text_of(path);
+  };
+}
+
 std::vector<SourceText> sampled_case_files() {
   constexpr std::size_t step = sanitized ? 6 : 1;
   const std::vector<SourceText> all = case_files();

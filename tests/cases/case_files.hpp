@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <patchproof/language/loader.hpp>
 #include <patchproof/term/span.hpp>
 
 namespace patchproof::test {
@@ -18,6 +19,9 @@ inline constexpr bool sanitized = false;
 /// The files below cases/, by path, as the program reads them; only those whose path contains
 /// `part`.
 std::vector<SourceText> case_files(const std::string& part = "");
+
+/// Reads the files that cases take nets from.
+Loader case_loader();
 
 /// All files below cases/; under sanitizers every sixth of them.
 std::vector<SourceText> sampled_case_files();

@@ -41,8 +41,7 @@ TEST_CASE("every claim of cases/ is decided as expected, and every equation by b
   std::size_t claims = 0;
   for (const SourceText& source : sampled_case_files()) {
     const ReadFile file =
-        read_cases(std::make_shared<const SourceText>(source), Limits{},
-                   [](const std::string&) { return std::optional<std::string>{}; });
+        read_cases(std::make_shared<const SourceText>(source), Limits{}, case_loader());
     INFO(source.name);
     REQUIRE(file.diagnostics.empty());
     for (const Case& given : file.cases) {

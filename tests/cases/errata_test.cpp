@@ -37,8 +37,7 @@ TEST_CASE("the correction of every erratum of cases/ is found") {
   for (const SourceText& source : sampled_case_files()) {
     const auto shared = std::make_shared<const SourceText>(source);
     if (source.text.find("erratum") == std::string::npos) continue;
-    const ReadFile file = read_cases(
-        shared, Limits{}, [](const std::string&) { return std::optional<std::string>{}; });
+    const ReadFile file = read_cases(shared, Limits{}, case_loader());
     const Parsed parsed = parse(shared);
     RepairOptions options;
     options.wanted = [](const Case&, const Claim& claim) { return claim.verb == "printed"; };
@@ -71,8 +70,7 @@ TEST_CASE("the correction of every erratum of cases/ is found") {
 TEST_CASE("every assumption of cases/ is needed, or stays for a reason") {
   for (const SourceText& source : sampled_case_files()) {
     const ReadFile file =
-        read_cases(std::make_shared<const SourceText>(source), Limits{},
-                   [](const std::string&) { return std::optional<std::string>{}; });
+        read_cases(std::make_shared<const SourceText>(source), Limits{}, case_loader());
     for (const Case& given : file.cases) {
       if (given.assumptions.empty()) continue;
       VerificationOptions options;

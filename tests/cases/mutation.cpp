@@ -3,6 +3,7 @@
 #include <patchproof/claims/verification.hpp>
 #include <patchproof/language/lexer.hpp>
 #include <patchproof/language/parser.hpp>
+#include <tests/cases/case_files.hpp>
 #include <tests/cases/mutation.hpp>
 
 namespace patchproof::test {
@@ -81,8 +82,7 @@ std::string described(const SourceText& source, const Part& part, std::size_t be
 }
 
 ReadFile read(const SourceText& source) {
-  return read_cases(std::make_shared<const SourceText>(source), Limits{},
-                    [](const std::string&) { return std::optional<std::string>{}; });
+  return read_cases(std::make_shared<const SourceText>(source), Limits{}, case_loader());
 }
 
 }  // namespace
@@ -91,8 +91,8 @@ std::vector<SourceText> single_cases(const SourceText& file) {
   std::vector<SourceText> result;
   const Parsed parsed = parse(std::make_shared<const SourceText>(file));
   for (const syntax::Case& written : parsed.file.cases)
-    result.push_back({file.name, file.text.substr(written.span.begin,
-                                                  written.span.end - written.span.begin)});
+    result.push_back(
+        {file.name, file.text.substr(written.span.begin, written.span.end - written.span.begin)});
   return result;
 }
 
@@ -103,8 +103,8 @@ std::vector<Mutation> mutations(const SourceText& source) {
   std::vector<Mutation> result;
   for (const Part& part : true_parts(parsed.file)) {
     const auto add = [&](std::size_t begin, std::size_t end, const std::string& replacement) {
-      result.push_back({part.claim, begin, end, replacement,
-                        described(source, part, begin, end, replacement)});
+      result.push_back(
+          {part.claim, begin, end, replacement, described(source, part, begin, end, replacement)});
     };
     if (part.removable) add(part.span.begin, part.span.end, "0 == 0");
     for (const Token& token : lexed.tokens) {
@@ -134,9 +134,8 @@ bool is_caught(const SourceText& source, const Mutation& mutation) {
                          [&](const std::string& use) { return use == label; });
     };
     const CaseResult verdicts = verified(given, options);
-    if (std::any_of(verdicts.claims.begin(), verdicts.claims.end(), [](const ClaimResult& r) {
-          return r.outcome != Outcome::as_expected;
-        }))
+    if (std::any_of(verdicts.claims.begin(), verdicts.claims.end(),
+                    [](const ClaimResult& r) { return r.outcome != Outcome::as_expected; }))
       return true;
   }
   return false;

@@ -18,8 +18,7 @@ TEST_CASE("the second checker rejects no certificate of the cases") {
   std::map<recheck::Outcome::Kind, std::size_t> counts;
   for (const SourceText& source : sampled_case_files()) {
     const ReadFile file =
-        read_cases(std::make_shared<const SourceText>(source), Limits{},
-                   [](const std::string&) { return std::optional<std::string>{}; });
+        read_cases(std::make_shared<const SourceText>(source), Limits{}, case_loader());
     for (const Case& given : file.cases) {
       std::vector<Certificate> certificates;
       for (const ClaimResult& claim : verified(given, options).claims) {

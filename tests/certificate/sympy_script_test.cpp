@@ -26,8 +26,8 @@ std::vector<Script> scripts_of(const SourceText& source) {
   VerificationOptions options;
   options.engines = Engines::kernel;
   std::vector<Script> result;
-  const ReadFile file = read_cases(std::make_shared<const SourceText>(source), Limits{},
-                                   [](const std::string&) { return std::optional<std::string>{}; });
+  const ReadFile file =
+      read_cases(std::make_shared<const SourceText>(source), Limits{}, case_loader());
   CHECK(file.diagnostics.empty());
   for (const Case& given : file.cases) {
     std::vector<Certificate> certificates;
@@ -35,8 +35,7 @@ std::vector<Script> scripts_of(const SourceText& source) {
       auto found = certificate(claim, given.name, given.limits);
       if (auto* one = std::get_if<Certificate>(&found)) certificates.push_back(std::move(*one));
     }
-    if (!certificates.empty())
-      result.push_back({given.name, sympy_script(given, certificates)});
+    if (!certificates.empty()) result.push_back({given.name, sympy_script(given, certificates)});
   }
   return result;
 }
@@ -66,9 +65,10 @@ struct Said {
 Said said_by_sympy(const std::string& script) {
   const TemporaryFolder folder;
   folder.write("script.py", script);
-  const int status = std::system((differential::python_with_sympy() + " '" + folder.path("script.py") +
-                                  "' > '" + folder.path("output") + "' 2>&1")
-                                     .c_str());
+  const int status =
+      std::system((differential::python_with_sympy() + " '" + folder.path("script.py") + "' > '" +
+                   folder.path("output") + "' 2>&1")
+                      .c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.text("output")};
 }
 
@@ -214,8 +214,8 @@ TEST_CASE("Integrals of unknown functions are compared after taking factors out"
 TEST_CASE("SymPy agrees with the certificates of a sample of the cases") {
   for (const std::string path :
        {"coons/form", "blend/blend", "bounds/heights", "bounds/regular", "hermite/hermite",
-        "bilinear/closure", "twist_energy/minimum_degrees",
-        "bspline/elevation", "rational/conics", "triangular/bezier", "volume/volume"})
+        "bilinear/closure", "twist_energy/minimum_degrees", "bspline/elevation", "rational/conics",
+        "triangular/bezier", "volume/volume"})
     for (const SourceText& source : case_files(path + ".proof"))
       for (const Script& script : scripts_of(source)) {
         const Said said = said_by_sympy(script.text);

@@ -23,8 +23,7 @@ struct Proposal {
 inline Case case_named(const std::string& part, const std::string& name) {
   for (const SourceText& source : case_files(part)) {
     const ReadFile file =
-        read_cases(std::make_shared<const SourceText>(source), Limits{},
-                   [](const std::string&) { return std::optional<std::string>{}; });
+        read_cases(std::make_shared<const SourceText>(source), Limits{}, case_loader());
     for (const Case& given : file.cases)
       if (given.name == name) return given;
   }

@@ -149,8 +149,7 @@ TEST_CASE("every step of every derivation of cases/ is decided") {
   Walk walk;
   for (const SourceText& source : chosen_files()) {
     const ReadFile file =
-        read_cases(std::make_shared<const SourceText>(source), Limits{},
-                   [](const std::string&) { return std::optional<std::string>{}; });
+        read_cases(std::make_shared<const SourceText>(source), Limits{}, case_loader());
     REQUIRE(file.diagnostics.empty());
     for (const Case& given : file.cases) {
       INFO(given.name);

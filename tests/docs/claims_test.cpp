@@ -28,8 +28,7 @@ Results decided_cases() {
   Results results;
   for (const SourceText& source : case_files()) {
     const ReadFile file =
-        read_cases(std::make_shared<const SourceText>(source), Limits{},
-                   [](const std::string&) { return std::optional<std::string>{}; });
+        read_cases(std::make_shared<const SourceText>(source), Limits{}, case_loader());
     for (const Case& given : file.cases) results[given.name] = verified(given, options).claims;
   }
   return results;

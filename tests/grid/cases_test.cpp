@@ -32,8 +32,8 @@ Goal goal_of(const std::string& statements) {
 TEST_CASE("what the grid proves of the cases holds in fractions as well") {
   std::size_t proved = 0;
   for (const SourceText& file : test::sampled_case_files()) {
-    const ReadFile read = read_cases(std::make_shared<const SourceText>(file), Limits{},
-                                     [](const std::string&) { return std::nullopt; });
+    const ReadFile read =
+        read_cases(std::make_shared<const SourceText>(file), Limits{}, test::case_loader());
     for (const Case& given : read.cases)
       for (const Claim& claim : given.claims) {
         const auto* identity = std::get_if<IdentityClaim>(&claim.kind);

@@ -28,4 +28,30 @@ Term net_of(const syntax::Expression& value, const std::vector<syntax::Binder>& 
   return elaborator.construct().matrix(scope, std::move(rows), span);
 }
 
+Term net_from(const syntax::FileName& file, const Scope& scope, Elaborator& elaborator) {
+  if (file.path.empty()) throw Fault{file.span, "the path of a net is empty"};
+  const NetFile* read = elaborator.library().net(path_of(file));
+  if (read != nullptr && read->mistake)
+    throw Fault{read->mistake->span, read->mistake->message, read->mistake->help};
+  if (read == nullptr || !read->net)
+    throw Fault{file.span, "cannot read '" + path_of(file) + "'",
+                "the path is taken from the folder of the file of the case"};
+  const PointNet& net = *read->net;
+  std::vector<std::vector<Term>> rows(net.rows);
+  for (std::size_t i = 0; i < net.rows; ++i) {
+    for (std::size_t j = 0; j < net.columns; ++j) {
+      std::vector<Term> coordinates;
+      for (std::size_t k = 0; k < net.dimension; ++k)
+        coordinates.push_back(number_term(net.coordinate(i, j, k), file.span));
+      elaborator.workshop().count_term(file.span);
+      rows[i].push_back(
+          net.dimension == 1
+              ? coordinates[0]
+              : elaborator.construct().tuple(scope, std::move(coordinates), file.span));
+    }
+  }
+  if (net.rows == 1) return elaborator.construct().list(std::move(rows[0]), file.span);
+  return elaborator.construct().matrix(scope, std::move(rows), file.span);
+}
+
 }  // namespace patchproof

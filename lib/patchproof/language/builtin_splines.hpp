@@ -8,6 +8,9 @@ namespace patchproof {
 Term net_of(const syntax::Expression& value, const std::vector<syntax::Binder>& binders,
             const Span& span, const Scope& scope, Elaborator& elaborator);
 
+/// The net of a file, of scalars where its points have one coordinate; a list where it has one row.
+Term net_from(const syntax::FileName& file, const Scope& scope, Elaborator& elaborator);
+
 /// segment(T, i) or segment(T, i, j): the piece of a spline over one knot span (the i-th one that
 /// is not empty, from 0), as a function of local parameters in [0,1].
 /// Source: Piegl & Tiller, The NURBS Book, 2.2 and 3.4.

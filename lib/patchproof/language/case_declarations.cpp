@@ -212,6 +212,10 @@ void CaseElaborator::declare(const syntax::Statement& statement) {
     case Kind::net:
       for (const Declarator& declarator : statement.declarators) {
         require_new(declarator.name);
+        if (declarator.file) {
+          declare_name(declarator.name, net_from(*declarator.file, scope_, elaborator_));
+          continue;
+        }
         // The order of the indices in the brackets counts, not that of the spans.
         std::vector<syntax::Binder> binders;
         for (const syntax::Name& index : declarator.parameters) {

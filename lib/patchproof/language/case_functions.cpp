@@ -149,7 +149,7 @@ void CaseElaborator::record(const syntax::Statement& statement, Case& result) co
   };
   bool is_term = true;
   for (const syntax::Declarator& declarator : statement.declarators) {
-    add(declarator.name, !declarator.value && !statement.spline);
+    add(declarator.name, !declarator.value && !declarator.file && !statement.spline);
     const Entity* entity = scope_.find_here(declarator.name.text);
     is_term = is_term && (entity == nullptr || entity->kind == Entity::Kind::term);
   }

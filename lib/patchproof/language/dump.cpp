@@ -190,6 +190,7 @@ class Dumper {
     add(result, "extents", declarator.extents);
     add(result, "parameters", declarator.parameters);
     add(result, "value", declarator.value);
+    if (declarator.file) result["file"] = declarator.file->path;
     return result;
   }
 

@@ -131,6 +131,15 @@ void Library::add(const syntax::Definition& definition, std::vector<Diagnostic>&
   }
 }
 
+void Library::add_net(const std::string& path, const Loader& load) {
+  if (!nets_.contains(path)) nets_.emplace(path, net_file(path, load));
+}
+
+const NetFile* Library::net(const std::string& path) const {
+  const auto found = nets_.find(path);
+  return found == nets_.end() ? nullptr : &found->second;
+}
+
 const syntax::Definition* Library::find(const std::string& name) const {
   const auto found = definitions_.find(name);
   return found == definitions_.end() ? nullptr : &found->second;

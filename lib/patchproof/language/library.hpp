@@ -5,11 +5,12 @@
 #include <vector>
 
 #include <patchproof/language/diagnostic.hpp>
+#include <patchproof/language/net_file.hpp>
 #include <patchproof/language/syntax.hpp>
 
 namespace patchproof {
 
-/// The definitions that may be used: those of the prelude, and those of files read so far.
+/// What may be used: the definitions of the prelude and of files read so far, and files of nets.
 class Library {
  public:
   /// The textbook constructions that come with the program.
@@ -20,12 +21,18 @@ class Library {
   void add(const syntax::Definition& definition, std::vector<Diagnostic>& diagnostics);
 
   const syntax::Definition* find(const std::string& name) const;
+  /// Reads a file of a net, where that has not happened yet.
+  void add_net(const std::string& path, const Loader& load);
+  /// The file; nullptr when nobody asked for it to be read.
+  const NetFile* net(const std::string& path) const;
+
   /// Names in the order they were added.
   const std::vector<std::string>& names() const { return names_; }
 
  private:
   std::map<std::string, syntax::Definition> definitions_;
   std::vector<std::string> names_;
+  std::map<std::string, NetFile> nets_;
 };
 
 }  // namespace patchproof

@@ -3,7 +3,7 @@
 //   param  NAME {, NAME} in range {, ...}          family binder {, binder}
 //   scalar | point | curve | patch | volume  declarator {, declarator} { ":" property | "in" R^n }
 //   matrix NAME = expression                       let NAME [(NAMES)] = expression
-//   net NAME[i, j] = expression for binders
+//   net NAME[i, j] = expression for binders        net NAME from "file.csv"
 //   spline NAME = bspline(...) | merged(...) | expression
 
 #include <patchproof/language/grammar.hpp>
@@ -156,6 +156,13 @@ void definition_of_name(TokenStream& stream, Statement& statement) {
 void net(TokenStream& stream, Statement& statement) {
   Declarator result;
   result.name = stream.name();
+  if (stream.accept("from")) {
+    const Span span = stream.span(stream.token());
+    result.file = syntax::FileName{stream.quoted_text(), span};
+    statement.declarators.push_back(std::move(result));
+    return;
+  }
+  if (!stream.is("[")) stream.fail_expected("'[' or 'from'");
   stream.expect("[");
   result.parameters = stream.names();
   stream.expect("]");

@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t deepest_include = 20;
 
-// "definitions.proof" included from "cases/a.proof" is "cases/definitions.proof".
-std::string beside(const std::string& including, const std::string& path) {
-  const std::size_t slash = including.rfind('/');
-  if (slash == std::string::npos || path.front() == '/') return path;
-  return including.substr(0, slash + 1) + path;
-}
-
 class Includer {
  public:
   Includer(Library& library, const Loader& load, std::vector<Diagnostic>& diagnostics)
@@ -38,7 +31,7 @@ class Includer {
       diagnostics_.push_back({include.span, "the path of an include is empty", ""});
       return;
     }
-    const std::string path = beside(from, include.path);
+    const std::string path = path_beside(from, include.path);
     if (std::find(open_.begin(), open_.end(), path) != open_.end()) {
       diagnostics_.push_back({include.span, "'" + path + "' includes itself", ""});
       return;
@@ -66,6 +59,14 @@ class Includer {
   std::vector<std::string> open_;
   std::set<std::string> done_;
 };
+
+void add_nets(const syntax::File& file, const Loader& load, Library& library) {
+  for (const syntax::Case& written : file.cases)
+    for (const syntax::Statement& statement : written.statements)
+      for (const syntax::Declarator& declarator : statement.declarators)
+        if (declarator.file && !declarator.file->path.empty())
+          library.add_net(path_of(*declarator.file), load);
+}
 
 // Where a declaration could not be read, the names it would have declared are missing further down;
 // complaining about those too would only confuse.
@@ -99,6 +100,7 @@ ReadFile read_cases(std::shared_ptr<const SourceText> source, const Limits& limi
   result.diagnostics = parsed.diagnostics;
   Library library = Library::prelude();
   Includer{library, load, result.diagnostics}.add(parsed.file);
+  add_nets(parsed.file, load, library);
   std::map<std::string, Span> names;
   for (const syntax::Case& written : parsed.file.cases) {
     const auto [place, fresh] = names.emplace(written.name.text, written.name.span);
@@ -131,6 +133,7 @@ Library read_definitions(const std::shared_ptr<const SourceText>& source, const 
   const Parsed parsed = parse(source);
   diagnostics.insert(diagnostics.end(), parsed.diagnostics.begin(), parsed.diagnostics.end());
   Includer{library, load, diagnostics}.add(parsed.file);
+  add_nets(parsed.file, load, library);
   return library;
 }
 

@@ -141,13 +141,20 @@ struct Smoothness {
   Span span;
 };
 
+/// `"surface.csv"`, as written.
+struct FileName {
+  std::string path;
+  Span span;
+};
+
 /// One declared name with what may stand behind it:
-/// `P`, `V[0..3, 0..3]`, `C1(u)`, `C1(u) = (u, 0)`, `M = [...]`, `b[i,j] = ...`.
+/// `P`, `V[0..3, 0..3]`, `C1(u)`, `C1(u) = (u, 0)`, `M = [...]`, `b[i,j] = ...`, `d from "d.csv"`.
 struct Declarator {
   Name name;
   std::vector<Interval> extents;       ///< point/scalar arrays
   std::vector<Name> parameters;        ///< functions: formal parameters; nets: index names
   ExpressionPointer value;             ///< what it is defined as, or empty
+  std::optional<FileName> file;        ///< nets: where the points stand
 };
 
 /// `param u, v in [0,1], t in [a,b]` : one group per range.

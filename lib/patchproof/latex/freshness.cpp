@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <patchproof/language/parser.hpp>
+#include <patchproof/net/net_writer.hpp>
 #include <patchproof/latex/sha256.hpp>
 #include <patchproof/version.hpp>
 
@@ -69,6 +70,12 @@ std::optional<std::string> case_digest(const std::shared_ptr<const SourceText>& 
     const Library library = read_definitions(source, load, reported_elsewhere);
     for (const std::string& name : library.names())
       parts.push_back(text_of(library.find(name)->span));
+    for (const syntax::Statement& statement : written.statements)
+      for (const syntax::Declarator& declarator : statement.declarators) {
+        if (!declarator.file) continue;
+        const NetFile* file = library.net(path_of(*declarator.file));
+        parts.push_back(file != nullptr && file->net ? net_as_csv(*file->net) : "");
+      }
     return digest(parts);
   }
   return std::nullopt;
