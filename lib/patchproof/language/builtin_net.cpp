@@ -44,10 +44,9 @@ Term net_from(const syntax::FileName& file, const Scope& scope, Elaborator& elab
       for (std::size_t k = 0; k < net.dimension; ++k)
         coordinates.push_back(number_term(net.coordinate(i, j, k), file.span));
       elaborator.workshop().count_term(file.span);
-      rows[i].push_back(
-          net.dimension == 1
-              ? coordinates[0]
-              : elaborator.construct().tuple(scope, std::move(coordinates), file.span));
+      rows[i].push_back(net.dimension == 1 ? coordinates[0]
+                                           : elaborator.construct().tuple(
+                                                 scope, std::move(coordinates), file.span));
     }
   }
   if (net.rows == 1) return elaborator.construct().list(std::move(rows[0]), file.span);

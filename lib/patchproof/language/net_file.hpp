@@ -11,7 +11,8 @@
 
 namespace patchproof {
 
-/// How many points a net of a case may have: as many as terms, each of which is looked at many times.
+/// How many points a net of a case may have: as many as terms, each of which is looked at many
+/// times.
 inline constexpr std::size_t most_points_of_case = 10'000;
 
 /// A file that a case takes a net from. Neither when it cannot be read.
