@@ -122,7 +122,7 @@ TEST_CASE("a worker that is ended costs the claim it worked on, and no other") {
   const TemporaryFolder folder;
   folder.write("a.proof",
                "case c\n  scalar a, b, c, d, e, f\n  prove before: a + b == b + a\n"
-               "  prove long: (a+b+c+d+e+f)^60*(a-b)^60 == (a-b)^60*(f+e+d+c+b+a)^60 + 1\n"
+               "  prove long: (a+b+c+d+e+f)^60*(a-b)^60/c == (a-b)^60*(f+e+d+c+b+a)^60/c + 1\n"
                "  prove after: a*b == b*a\n  show a + a\nend\n");
   // The system ends whoever takes more than a second.
   const std::string command = "ulimit -t 1; cd '" + folder.path("") +
@@ -142,9 +142,10 @@ TEST_CASE("a worker that is ended costs the claim it worked on, and no other") {
 
 TEST_CASE("a claim that is said to be open is not as expected when a worker is lost over it") {
   const TemporaryFolder folder;
-  folder.write("a.proof",
-               "case c\n  scalar a, b, c, d, e, f\n"
-               "  open long: (a+b+c+d+e+f)^60*(a-b)^60 == (a-b)^60*(f+e+d+c+b+a)^60 + 1\nend\n");
+  folder.write(
+      "a.proof",
+      "case c\n  scalar a, b, c, d, e, f\n"
+      "  open long: (a+b+c+d+e+f)^60*(a-b)^60/c == (a-b)^60*(f+e+d+c+b+a)^60/c + 1\nend\n");
   const std::string command =
       "ulimit -t 1; cd '" + folder.path("") +
       "' && '" PATCHPROOF_PROGRAM
