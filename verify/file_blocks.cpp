@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <verify/deadline.hpp>
 #include <verify/file_blocks.hpp>
 #include <verify/files.hpp>
 
@@ -77,16 +78,34 @@ ByteSource file_blocks(const std::string& path, std::size_t megabytes) {
   return [blocks = std::make_shared<Blocks>(path, megabytes)] { return blocks->next(); };
 }
 
-FileInParts::FileInParts(std::string path) : path_{std::move(path)} {
+// A device, a pipe or an open file of this process cannot be replaced by another file; a link is
+// to stay a link.
+FileInParts::FileInParts(const std::string& path) : path_{path} {
+  struct stat about {};
+  const bool exists = ::stat(path.c_str(), &about) == 0;
+  const bool special = path.starts_with("/dev/") || path.starts_with("/proc/");
+  if (exists && (special || !S_ISREG(about.st_mode))) {
+    descriptor_ = ::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+    if (descriptor_ < 0) throw UnwritableFile{std::strerror(errno)};
+    return;
+  }
+  // The folder alone would allow it, but whoever made the file read-only meant it.
+  if (exists && ::access(path.c_str(), W_OK) != 0) throw UnwritableFile{std::strerror(errno)};
+  std::error_code error;
+  if (exists) path_ = std::filesystem::canonical(path, error).string();
+  if (error) throw UnwritableFile{error.message()};
   const std::filesystem::path target{path_};
   fresh_ = (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
   descriptor_ = ::mkstemp(fresh_.data());
   if (descriptor_ < 0) throw UnwritableFile{std::strerror(errno)};
+  Deadline::removes(fresh_);
 }
 
 FileInParts::~FileInParts() {
   if (descriptor_ < 0) return;
   ::close(descriptor_);
+  if (fresh_.empty()) return;
+  Deadline::removes("");
   ::unlink(fresh_.c_str());
 }
 
@@ -96,10 +115,16 @@ void FileInParts::write(const std::string& text) {
 }
 
 void FileInParts::finish() {
+  if (fresh_.empty()) {
+    // Some file systems say only now that there was no room.
+    if (::close(std::exchange(descriptor_, -1)) != 0) throw UnwritableFile{std::strerror(errno)};
+    return;
+  }
   const mode_t mask = ::umask(0);
   ::umask(mask);
   if (::fchmod(descriptor_, 0666U & ~mask) != 0) throw UnwritableFile{std::strerror(errno)};
   const int descriptor = std::exchange(descriptor_, -1);
+  Deadline::removes("");
   if (::close(descriptor) == 0 && ::rename(fresh_.c_str(), path_.c_str()) == 0) return;
   const int problem = errno;
   ::unlink(fresh_.c_str());

@@ -26,11 +26,11 @@ class UnwritableFile : public std::runtime_error {
 ByteSource file_blocks(const std::string& path, std::size_t megabytes);
 
 /// A file that is written part by part. Only once it is finished it stands under its name: there is
-/// never half a file.
+/// never half a file. What is no regular file, such as a pipe, is written into at once.
 class FileInParts {
  public:
   /// @throws UnwritableFile when no file can be made beside `path`.
-  explicit FileInParts(std::string path);
+  explicit FileInParts(const std::string& path);
   /// Without `finish`, nothing remains.
   ~FileInParts();
   FileInParts(const FileInParts&) = delete;
@@ -43,6 +43,7 @@ class FileInParts {
 
  private:
   std::string path_;
+  /// Beside it; "" where there is none.
   std::string fresh_;
   int descriptor_ = -1;
 };

@@ -1,4 +1,6 @@
 // The program `patchproof`: options in, exit code out. Each subcommand is a file of its own.
+#include <fcntl.h>
+#include <unistd.h>
 #include <verify/commands.hpp>
 #include <verify/files.hpp>
 #include <verify/memory_counter.hpp>
@@ -82,7 +84,20 @@ int run(int argument_count, char* arguments[]) {
 
 }  // namespace
 
+namespace {
+
+// A file that is opened must not get the number of a standard stream that is closed, or what is
+// meant for nobody would be written into it. Using these still fails.
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0)
+      static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+}
+
+}  // namespace
+
 int main(int argument_count, char* arguments[]) {
+  occupy_closed_streams();
   // A closed pipe is an error of writing like any other.
   std::signal(SIGPIPE, SIG_IGN);
   count_bytes_with(allocated_bytes);

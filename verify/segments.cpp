@@ -1,5 +1,7 @@
 // patchproof segments: the Bézier segments of a B-spline net, proved.
+#include <verify/check_options.hpp>
 #include <verify/commands.hpp>
+#include <verify/deadline.hpp>
 #include <verify/file_blocks.hpp>
 #include <verify/files.hpp>
 #include <verify/output.hpp>
@@ -8,6 +10,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include <patchproof/language/diagnostic.hpp>
@@ -16,6 +19,7 @@
 #include <patchproof/net/net_reader.hpp>
 #include <patchproof/net/segment_comparison.hpp>
 #include <patchproof/report/segments_report.hpp>
+#include <patchproof/version.hpp>
 
 namespace patchproof {
 
@@ -33,6 +37,7 @@ struct SegmentsArguments {
   std::string output;
   std::string against;
   std::string format = "text";
+  std::string seconds = "600";
 };
 
 /// A file that cannot be read; what is to be said of it was said.
@@ -193,7 +198,24 @@ void convert(const SegmentsArguments& arguments, const PointNet& net, int contin
   output.finish();
 }
 
+// What is said when the time is over, and nothing is known.
+std::string unknown(const SegmentsArguments& arguments) {
+  const std::string reason = "limit: more than " + arguments.seconds + " s";
+  if (arguments.format == "text")
+    return shown_name(arguments.net) + ": UNKNOWN: " + reason +
+           "\n       = help: allow more with --limit-time\n";
+  nlohmann::ordered_json document;
+  document["version"] = version;
+  document["net"] = shown_name(arguments.net);
+  document["verdict"] = "UNKNOWN";
+  document["reason"] = reason;
+  document["exit"] = static_cast<int>(ExitCode::unknown);
+  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 ExitCode run(const SegmentsArguments& arguments) {
+  const Deadline deadline{std::chrono::seconds{std::stol(arguments.seconds)}, unknown(arguments),
+                          ExitCode::unknown};
   try {
     const PointNet net = reading(arguments.net, most_megabytes, [&](ByteSource source) {
       return net_from_file(arguments.net, std::move(source));
@@ -240,8 +262,13 @@ void declare(CLI::App& command, SegmentsArguments& a) {
   option("--against", a.against, "Compare with the segments in this file, .json or lines", "FILE");
   option("--format", a.format, "text (usual) or json", "FORMAT")
       ->check(CLI::IsMember(std::set<std::string>{"text", "json"}));
+  option("--limit-time", a.seconds, "Time for all of it, 600 where nothing is said; 0: no limit",
+         "SECONDS")
+      ->check(whole_number());
   command.footer(
-      "Ends with 0 when everything is proved, 1 when something is refuted, 4 when a file cannot "
+      "Ends with 0 when everything is proved, 1 when something is refuted, 2 when the time was "
+      "not\n"
+      "enough, 4 when a file cannot "
       "be\n"
       "read or written, 64 for a wrong command line, 70 for a fault of the program.\n\n"
       "Example:\n  patchproof segments surface.csv --against my_segments.csv\n");
