@@ -62,6 +62,9 @@ void check_with_workers_killed(const TemporaryFolder& folder, std::size_t claims
             "--output", output.c_str(), "--jobs", jobs, nullptr);
     ::_exit(127);
   }
+  // A program with sanitizers takes its time to begin.
+  for (int k = 0; k < 1000 && children_of(program).empty(); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
   std::size_t killed = 0;
   for (std::size_t round = 0; round < pauses.size(); ++round) {
     std::this_thread::sleep_for(pauses[round]);

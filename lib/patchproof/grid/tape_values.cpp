@@ -90,7 +90,7 @@ void TapeValues::add(std::uint32_t summand, std::uint32_t support, Residue* resu
     return;
   }
   result[0] = combined(result[0], value[0], negative);
-  const std::uint32_t* position = &positions_[first_position_[summand]];
+  const std::uint32_t* position = positions_.data() + first_position_[summand];
   for (std::size_t k = 1; k < width; ++k) {
     Residue& own = result[1 + position[k - 1]];
     own = combined(own, value[k], negative);
