@@ -119,6 +119,26 @@ TEST_CASE("what was decided of another text, with other limits or engines is not
   CHECK(is_forged(check(folder)));
 }
 
+TEST_CASE("what was decided of another net, or before other definitions, is not believed") {
+  const TemporaryFolder folder;
+  const std::string text =
+      "case one\n  scalar a, b\n  net d from \"net.csv\"\n  refute differ: a == b\n"
+      "  prove height: d[0,0] == 1\nend\n";
+  folder.write("corpus/net.csv", "1\n2\n\n3\n4\n");
+  folder.write("corpus/a.proof", text);
+  REQUIRE(check(folder).code == 0);
+  forge(folder);
+  REQUIRE(is_forged(check(folder)));
+  folder.write("corpus/a.proof", text + "define twice(x : scalar) : scalar\n  = 2*x\nend\n");
+  CHECK_FALSE(is_forged(check(folder)));
+  folder.write("corpus/a.proof", text);
+  CHECK(is_forged(check(folder)));
+  folder.write("corpus/net.csv", "5\n2\n\n3\n4\n");
+  const Ended other = check(folder);
+  CHECK_FALSE(is_forged(other));
+  CHECK(other.code == 1);
+}
+
 TEST_CASE("what somebody has to look at, and what was cut short, is not kept") {
   const TemporaryFolder folder;
   folder.write("corpus/a.proof",

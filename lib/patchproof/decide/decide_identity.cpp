@@ -15,6 +15,18 @@ namespace patchproof {
 
 namespace {
 
+// The witness was checked in the terms: that is the proof.
+Decision refutation_by(const Witness& witness, const WitnessCheck& check, const Goal& goal) {
+  Decision result;
+  result.verdict = Verdict::refuted;
+  result.evidence = Evidence::kernel;
+  result.statement = check.statement;
+  const Type& type = goal.statements[check.statement].left.type();
+  result.witness = {in_words(witness), witness.values, check.left, check.right,
+                    component_name(type, check.component)};
+  return result;
+}
+
 class Identity {
  public:
   Identity(const Goal& goal, Workspace& workspace)
@@ -117,13 +129,7 @@ class Identity {
   }
 
   Decision refuted(const Finding& found, const Witness& witness, const WitnessCheck& check) {
-    Decision result;
-    result.verdict = Verdict::refuted;
-    result.evidence = Evidence::kernel;
-    result.statement = check.statement;
-    const Type& type = goal_.statements[check.statement].left.type();
-    result.witness = {in_words(witness), witness.values, check.left, check.right,
-                      component_name(type, check.component)};
+    Decision result = refutation_by(witness, check, goal_);
     result.residual = to_text(found.residual, workspace_.atoms, workspace_.budget);
     if (check.statement == found.statement && found.outcome == Finding::Outcome::open)
       result.reason =
@@ -180,14 +186,7 @@ std::optional<Decision> refuted_at(const std::vector<KnownValue>& values, const 
   const Witness witness{values};
   const WitnessCheck check = checked(goal, witness, budget);
   if (!check.consistent || !check.refutes) return std::nullopt;
-  Decision result;
-  result.verdict = Verdict::refuted;
-  result.evidence = Evidence::kernel;
-  result.statement = check.statement;
-  const Type& type = goal.statements[check.statement].left.type();
-  result.witness = {in_words(witness), witness.values, check.left, check.right,
-                    component_name(type, check.component)};
-  return result;
+  return refutation_by(witness, check, goal);
 }
 
 // With fractions, if that takes no more than so many steps.
